@@ -27,9 +27,12 @@ HOMES_OUTSIDE_MODULES = {"CLI11": "cli", "nlohmann_json": "cli", "pybind11": "py
 # What signs results with the program's version.
 USES_VERSION = TOPMOST + ("runs",)
 EVERYWHERE = r"fmt/"
-# Intrinsics: Embree requires two bits of the SSE control register to be set in each thread.
-SYSTEM = {"xmmintrin.h", "pmmintrin.h", "immintrin.h", "fcntl.h", "malloc.h", "poll.h", "unistd.h", "termios.h",
-          "sys/file.h", "sys/ioctl.h", "sys/mman.h", "sys/prctl.h", "sys/resource.h", "sys/stat.h", "sys/types.h", "sys/wait.h"}
+# Embree requires two bits of the SSE control register to be set in each thread.
+INTRINSICS = {"xmmintrin.h", "pmmintrin.h", "immintrin.h"}
+# POSIX and Linux, in one module: a port to another system begins there.
+SYSTEM = {"fcntl.h", "malloc.h", "poll.h", "unistd.h", "termios.h", "sys/file.h", "sys/ioctl.h", "sys/mman.h", "sys/prctl.h",
+          "sys/resource.h", "sys/stat.h", "sys/types.h", "sys/wait.h"}
+SYSTEM_HOME = "core"
 STANDARD = set("""algorithm any array atomic barrier bit bitset cassert ccomplex cctype cerrno cfenv cfloat charconv chrono
 cinttypes climits clocale cmath compare complex concepts condition_variable coroutine csetjmp csignal cstdarg cstddef
 cstdint cstdio cstdlib cstring ctime cuchar cwchar cwctype deque exception execution filesystem format forward_list
@@ -119,8 +122,10 @@ class Includes:
         """The violation of an include line of a module, or None."""
         if include.startswith("luxel/"):
             return self.complaint_about_ours(module, include)
-        if re.match(EVERYWHERE, include) or include in STANDARD or include in SYSTEM:
+        if re.match(EVERYWHERE, include) or include in STANDARD or include in INTRINSICS:
             return None
+        if include in SYSTEM:
+            return None if module == SYSTEM_HOME else f"<{include}> is of the system, whose only home is {SYSTEM_HOME}, not {module}"
         homes = [(library, home) for pattern, library, home in self.homes if re.match(pattern, include)]
         if homes:
             welcome = [home for _, home in homes]

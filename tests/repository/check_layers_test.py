@@ -40,7 +40,7 @@ class CheckLayers(unittest.TestCase):
         self.check({name: LICENCE + line + "\n"}, name, 2, words)
 
     def test_a_clean_tree_has_no_violation(self):
-        uses = LICENCE + '#include "luxel/core/vector.h"\n#include <fmt/format.h>\n#include <unistd.h>\n'
+        uses = LICENCE + '#include "luxel/core/vector.h"\n#include <fmt/format.h>\n#include <vector>\n'
         self.assertEqual(self.found({"src/luxel/scene/a.cpp": uses, "src/luxel/cli/a.cpp": uses}), [])
 
     def test_a_module_includes_only_what_it_depends_on(self):
@@ -65,6 +65,9 @@ class CheckLayers(unittest.TestCase):
     def test_an_outside_library_stays_at_home(self):
         self.check_line("scene", "#include <glm/glm.hpp>", "whose only home is core")
         self.check_line("scene", "#include <CLI/CLI.hpp>", "whose only home is cli")
+
+    def test_the_system_is_called_in_one_module(self):
+        self.check_line("scene", "#include <unistd.h>", "whose only home is core")
 
     def test_an_unknown_library_is_refused(self):
         self.check_line("scene", "#include <boost/any.hpp>", "neither of the C++ standard library")

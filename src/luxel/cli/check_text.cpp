@@ -9,6 +9,7 @@
 
 #include "luxel/cli/flags.h"
 #include "luxel/cli/wrapped_text.h"
+#include "luxel/core/process_usage.h"
 #include "luxel/session/words.h"
 
 namespace luxel {

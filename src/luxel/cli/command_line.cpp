@@ -9,11 +9,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include "luxel/cli/command_words.h"
 #include "luxel/cli/help_text.h"
 #include "luxel/core/output_file.h"
+#include "luxel/core/standard_streams.h"
 
 namespace luxel {
 namespace {
@@ -112,7 +112,7 @@ void check_given(const OptionSet& chosen, const Given& given) {
 
 HelpStyle help_style() {
   constexpr std::size_t min_columns = 60, max_columns = 100;
-  return {paint_for(STDOUT_FILENO), std::clamp(columns_of(STDOUT_FILENO), min_columns, max_columns)};
+  return {paint_for(standard_output), std::clamp(columns_of(standard_output), min_columns, max_columns)};
 }
 
 }  // namespace

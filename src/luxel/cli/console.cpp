@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <sstream>
 #include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/flags.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/wrapped_text.h"
+#include "luxel/core/standard_streams.h"
 #include "luxel/core/startable_threads.h"
 #include "luxel/core/time_left.h"
 #include "luxel/core/utf8.h"
@@ -27,29 +26,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A signal handler can access nothing but globals; these are the only ones.
-volatile std::sig_atomic_t interrupt_requested = 0;
-volatile std::sig_atomic_t has_unsaved_light = 0;  // a solve has begun: an interrupt writes its results
-
-constexpr unsigned grace_seconds = 1;  // for a stage to notice an interrupt, where no light would be lost
-
 bool is_silent = false;  // the same for all consoles, set once before any exists
 
 void note(const std::string& text) {
   if (!is_silent) print_note(text);
-}
-
-void on_interrupt(int signal) {
-  interrupt_requested = 1;
-  std::signal(signal, SIG_DFL);  // the next signal ends the program
-  if (!has_unsaved_light) ::alarm(grace_seconds);
-}
-
-// No stage has noticed the interrupt in time. Files are complete or absent, whenever the program ends.
-void on_overdue(int) {
-  constexpr std::string_view sentence = "stopped: no further file is written\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
-  ::_exit(exit_stopped_early);
 }
 
 constexpr int bar_width = 28;
@@ -69,20 +49,9 @@ std::string numbers_of(const Progress& progress, double seconds) {
 
 }  // namespace
 
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  std::signal(SIGALRM, on_overdue);
-}
 void keep_silent() {
   is_silent = true;
-  std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGTERM, SIG_IGN);
-}
-bool interrupted() {
-  if (interrupt_requested == 0) return false;
-  ::alarm(0);  // noticed: what follows is the end
-  return true;
+  ignore_interrupts();
 }
 
 Console::Console() : Console(RunSettings()) {}
@@ -90,8 +59,8 @@ Console::Console(const RunSettings& run)
     : quiet_(run.quiet),
       verbose_(run.verbose),
       as_json_(run.progress == "json"),
-      terminal_(is_terminal(STDERR_FILENO)),
-      paint_(paint_for(STDERR_FILENO)) {
+      terminal_(is_terminal(error_output)),
+      paint_(paint_for(error_output)) {
   const auto wanted = run.threads > 0 ? run.threads : static_cast<int>(std::thread::hardware_concurrency());
   if (const auto started = startable_threads(wanted); started < wanted)
     warn(log(),
@@ -133,7 +102,7 @@ LogSink Console::log_as(Notes notes) {
 
 Monitor Console::monitor_that(bool heeds_interrupt) {
   return [this, heeds_interrupt](const Progress& progress) {
-    if (progress.stage == "light") has_unsaved_light = 1;
+    if (progress.stage == "light") let_interrupts_wait(true);  // they write the light so far
     if (as_json_)
       tell_program(progress);
     else if (!quiet_)
@@ -146,7 +115,7 @@ std::string Console::worded(const std::string& sentence, const std::vector<Hint>
   return with_flags(sentence, hints);
 }
 
-void Console::light_is_safe() { has_unsaved_light = 0; }
+void Console::light_is_safe() { let_interrupts_wait(false); }
 bool Console::is_interrupted() const { return interrupted(); }
 
 void Console::announce(const std::string& stage) {

@@ -6,6 +6,7 @@
 
 #include "luxel/cli/terminal.h"
 #include "luxel/core/context.h"
+#include "luxel/core/interrupts.h"
 #include "luxel/core/progress.h"
 #include "luxel/runs/reporter.h"
 
@@ -66,10 +67,5 @@ void keep_silent();
 
 // The message of a command that is stopped before it has results to write; its exit code.
 int stopped_before_light(Console& console);
-
-// Makes Ctrl-C (SIGINT) and SIGTERM a request that interrupted() returns; a second one ends the program at
-// once. So does the first, with a message, where no stage polls within a second and no light would be lost.
-void catch_interrupts();
-bool interrupted();
 
 }  // namespace luxel

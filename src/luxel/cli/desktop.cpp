@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "luxel/core/detached_process.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/runs/outputs.h"
 
@@ -24,36 +21,7 @@ std::string variable(const char* name) {
   return value ? value : "";
 }
 
-// The path of a program, as a shell finds it; empty where there is none.
-std::string path_of(const std::string& program) {
-  std::istringstream folders(variable("PATH"));
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const auto path = (folder.empty() ? "." : folder) + "/" + program;
-    if (::access(path.c_str(), X_OK) == 0) return path;
-  }
-  return {};
-}
-
 bool is_mesh(const std::string& file) { return ending_of(file) == ".glb" || ending_of(file) == ".ply"; }
-
-// Starts a program in a session of its own, without our streams. Its parent ends at once, so that it becomes
-// a child of the system and is never waited for. Only functions that are safe after fork() are called there.
-bool start_detached(const std::string& program, const std::string& argument) {
-  char* const arguments[] = {const_cast<char*>(program.c_str()), const_cast<char*>(argument.c_str()),
-                             nullptr};
-  const auto child = ::fork();
-  if (child < 0) return false;
-  if (child == 0) {
-    ::setsid();
-    if (::fork() != 0) ::_exit(0);
-    const int nothing = ::open("/dev/null", O_RDWR);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, stream);
-    ::execv(program.c_str(), arguments);
-    ::_exit(127);
-  }
-  int status = 0;
-  return ::waitpid(child, &status, 0) == child;
-}
 
 }  // namespace
 
@@ -70,7 +38,7 @@ void open_one_of(const std::vector<std::string>& files, Console& console) {
   if (file.empty()) return fail("there is no picture, page or mesh among the written files");
   if (variable("DISPLAY").empty() && variable("WAYLAND_DISPLAY").empty())
     return fail(fmt::format("there is no desktop here (DISPLAY is not set); {} is written", file));
-  const auto program = path_of(opener);
+  const auto program = path_of_program(opener);
   if (program.empty())
     return fail(
         fmt::format("the program {} is not installed (package xdg-utils); {} is written", opener, file));

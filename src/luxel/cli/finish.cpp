@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include "luxel/cli/accuracy_text.h"
 #include "luxel/cli/commands.h"
 #include "luxel/cli/desktop.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
+#include "luxel/core/standard_streams.h"
 
 namespace luxel {
 
@@ -22,7 +22,8 @@ void report_end(const RunRecord& record, const std::vector<std::string>& files, 
 }
 
 void print_files(const std::vector<std::string>& files, const RunSettings& run, const Console& console) {
-  const bool is_shown = console.is_read() && isatty(STDOUT_FILENO) == 1;  // by report_end(), beside it
+  const bool is_shown =
+      console.is_read() && is_terminal_device(standard_output);  // by report_end(), beside it
   if (run.quiet || is_shown) return;
   for (const auto& file : files) print_result(file + "\n");
 }

@@ -5,7 +5,6 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "luxel/cli/commands.h"
 #include "luxel/cli/console.h"
@@ -13,13 +12,14 @@
 #include "luxel/cli/streams.h"
 #include "luxel/cli/terminal.h"
 #include "luxel/core/ranks.h"
+#include "luxel/core/standard_streams.h"
 #include "luxel/core/utf8.h"
 #include "luxel/version.h"
 
 namespace {
 
 void print_error(const std::string& sentence) {
-  const auto paint = luxel::paint_for(STDERR_FILENO);
+  const auto paint = luxel::paint_for(luxel::error_output);
   luxel::print_note(
       fmt::format("{} {}\n", paint(luxel::Style::error, "luxel:"), luxel::printable(sentence, false)));
 }
@@ -86,7 +86,7 @@ int run(int argc, char** argv) {
     luxel::print_styled(parsed.text);
     return luxel::exit_fine;
   }
-  luxel::catch_interrupts();
+  luxel::catch_interrupts("stopped: no further file is written\n", luxel::exit_stopped_early);
   for (const auto& command : commands)
     if (&command->options() == parsed.command) return run(*command);
   return luxel::exit_misused;

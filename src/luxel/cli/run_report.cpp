@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "luxel/core/process_usage.h"
 #include "luxel/runs/quantity.h"
 #include "luxel/runs/refine_text.h"
 #include "luxel/scene/luminous_efficacy.h"

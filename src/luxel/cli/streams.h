@@ -5,12 +5,6 @@
 
 namespace luxel {
 
-// Call first. The number of a closed standard stream is reused by the next file that is opened, so that
-// messages would end up in a mesh; it is therefore occupied by a descriptor that refuses writes. A reader
-// that exits (luxel ... | head) or a limit on file sizes becomes an error of the write and does not end the
-// process.
-void secure_streams();
-
 // Writes results to the standard output. Throws DeviceError where that fails: a full disk, a closed
 // stream. A reader that has ended (luxel ... | head) is not an error. On a terminal they are
 // printable().

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
+
+#include "luxel/core/standard_streams.h"
 
 namespace luxel {
 namespace {
@@ -35,13 +35,12 @@ std::string_view variable(const char* name) {
 
 }  // namespace
 
-bool is_terminal(int stream) { return isatty(stream) == 1 && variable("TERM") != "dumb"; }
+bool is_terminal(int stream) { return is_terminal_device(stream) && variable("TERM") != "dumb"; }
 
 std::size_t columns_of(int stream) {
   constexpr std::size_t usual = 100;
-  winsize size{};
-  if (ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
-  return size.ws_col;
+  const auto columns = terminal_columns(stream);
+  return columns > 0 ? columns : usual;
 }
 
 std::string TextPaint::operator()(Style style, std::string_view text) const {

@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// Returns whether a stream (STDOUT_FILENO, STDERR_FILENO) is a terminal whose cursor can be moved, unlike
+// Returns whether a stream (standard_output, error_output) is a terminal whose cursor can be moved, unlike
 // TERM=dumb.
 bool is_terminal(int stream);
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "luxel/cli/run_report.h"
+#include "luxel/core/process_usage.h"
 
 namespace luxel {
 namespace {

@@ -1,35 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/runs/run_record.h"
 
-#include <ctime>
-#include <fstream>
-
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
+#include "luxel/core/process_usage.h"
 #include "luxel/runs/quantity.h"
 
 namespace luxel {
-namespace {
-
-// Seconds since the process started, in steps of 10 ms; 0 if the system does not provide it.
-double process_age() {
-  std::ifstream file("/proc/self/stat");
-  std::string text;
-  std::getline(file, text);
-  // The 22nd field (proc(5), starttime); the second is a name in brackets that may contain anything.
-  auto at = text.rfind(')');
-  for (int field = 3; at != std::string::npos && field <= 22; ++field) at = text.find(' ', at + 1);
-  timespec now{};
-  if (at == std::string::npos || clock_gettime(CLOCK_BOOTTIME, &now) != 0) return 0.0;
-  const auto start =
-      static_cast<double>(std::stoull(text.substr(at))) / static_cast<double>(sysconf(_SC_CLK_TCK));
-  const auto age = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) - start;
-  return age > 0.0 ? age : 0.0;
-}
-
-}  // namespace
 
 RunRecord::RunRecord() : RunRecord(process_age()) {}
 RunRecord::RunRecord(double age) : made_(std::chrono::steady_clock::now()), age_when_made_(age) {}
@@ -46,12 +23,6 @@ std::optional<double> RunRecord::first_light_after_load() const {
   for (const auto& s : stages_)
     if (first_light_ && s.name == "load") return *first_light_ - (s.begin + s.seconds);
   return std::nullopt;
-}
-
-std::uint64_t peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024u;  // Linux counts in KiB
 }
 
 std::string RunRecord::table() const {

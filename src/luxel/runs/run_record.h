@@ -65,7 +65,4 @@ class RunRecord {
   std::optional<double> first_light_;
 };
 
-// The most memory this process has held so far, bytes.
-std::uint64_t peak_memory();
-
 }  // namespace luxel

@@ -10,9 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include <fcntl.h>
-#include <unistd.h>
-
+#include "luxel/core/standard_streams.h"
 #include "luxel/import/child/convert_foreign.h"
 #include "luxel/import/converter_status.h"
 
@@ -31,23 +29,15 @@ std::string one_line(std::string_view text) {
   return line + "\n";
 }
 
-bool write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const auto count = ::write(file, bytes.data(), bytes.size());
-    if (count <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
 int convert(const char* path, int output) {
   std::string head;
   try {
     const auto converted = luxel::convert_foreign(path);
     for (const auto& message : converted.messages) head += one_line(message);
-    return write_all(output, head + "\n") && write_all(output, converted.glb) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return luxel::write_all(output, head + "\n") && luxel::write_all(output, converted.glb) ? EXIT_SUCCESS
+                                                                                            : EXIT_FAILURE;
   } catch (const std::exception& error) {
-    write_all(output, one_line(std::string("error ") + error.what()));
+    luxel::write_all(output, one_line(std::string("error ") + error.what()));
     return luxel::converter_refuses;
   }
 }
@@ -64,7 +54,7 @@ int main(int count, char** arguments) {
   }
   std::set_new_handler([] { std::_Exit(luxel::converter_lacks_memory); });
   // Output of Assimp or the C++ runtime must not mix with the result.
-  const int output = ::dup(STDOUT_FILENO), nothing = ::open("/dev/null", O_WRONLY);
-  if (output < 0 || nothing < 0 || ::dup2(nothing, STDOUT_FILENO) < 0) return EXIT_FAILURE;
+  const int output = luxel::take_standard_output();
+  if (output < 0) return EXIT_FAILURE;
   return convert(arguments[1], output);
 }
