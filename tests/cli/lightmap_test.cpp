@@ -182,13 +182,23 @@ TEST(LightmapCommand, refuses_what_makes_no_sense_in_a_sentence) {
         Misuse{"-o map.exr --error-map error.png", "the extension .exr", 2},
         Misuse{"-o map.exr --error-map map.exr", "given twice", 2},
         Misuse{"-o map.exr --uv2 nowhere/a.glb", "--uv2: cannot write nowhere/a.glb", 1},
-        Misuse{"-o map.exr --texels-per-metre 1e6", "fewer texels a metre", 1},
+        Misuse{"-o map.exr --texels-per-metre 1e6", "fewer texels per metre", 1},
         Misuse{"-o map.exr --page-size 8 --margin 4", "margin", 1}}) {
     const auto run = cli::run(folder, "$LUXEL lightmap box.vtkhdf " + misuse.options);
     EXPECT_EQ(run.code, misuse.code) << misuse.options;
     EXPECT_NE(run.err.find(misuse.word), std::string::npos) << misuse.options << '\n' << run.err;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "map.exr"));
+}
+
+// A solve of half an hour.
+TEST(LightmapCommand, of_a_bake_refuses_too_many_texels_before_the_light) {
+  const auto folder = fresh_folder("lightmap_too_many");
+  const auto run = cli::run(folder,
+                            "timeout 60 $LUXEL bake cornell-box.obj --as lightmap --texels-per-metre 1e6 "
+                            "--mesh-error none --error 0.001% -o a.glb");
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_NE(run.err.find("fewer texels per metre (--texels-per-metre)"), std::string::npos) << run.err;
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ enum class Setting {
   sky,
   spectral,
   target,
+  texels_per_metre,
   weld
 };
 

@@ -46,7 +46,6 @@ class Bake final : public Command {
         "load", [&](auto&) { return load_lit_scene(settings_.scene, settings_.look.up, context, console); });
     if (interrupted()) return stopped_before_light(console);
     keep_files_of(scene);
-    if (!scene.cameras.empty()) settings_.picture.of_scene = scene.cameras.front();
     const BakeStages stages(settings_, options(), {context, console, record});
     auto start = stages.begin(scene, shows_pictures());
     if (!start) return stopped_before_light(console);

@@ -117,7 +117,6 @@ class Reference final : public Command {
         record.stage("load", [&](auto&) { return load_lit_scene(scene_, look_.up, context, console); });
     if (interrupted()) return {};
     keep_files_of(scene);
-    if (!scene.cameras.empty()) picture_.of_scene = scene.cameras.front();
     Baked baked;
     baked.patches = record.stage("patches", [&](auto&) {
       return make_patches_for_light(scene, scene_.patches, console.detailing(context));

@@ -56,7 +56,6 @@ Handle bake_scene(const SceneHandle& input, const GivenOptions& given, const Cal
     RunRecord record(0.0);
     auto scene = input.scene;
     light_up(settings.scene, scene, context, reporter);
-    if (!scene.cameras.empty()) settings.picture.of_scene = scene.cameras.front();
     const RunPlace place{context, reporter, record};
     const BakeStages stages(settings, set, place);
     auto start = stages.begin(scene, false);

@@ -35,6 +35,7 @@ std::optional<BakeStart> BakeStages::begin(const Scene& scene, bool needs_view) 
   } else {
     baked.patches = cut(scene);
     if (reporter.is_interrupted()) return std::nullopt;
+    if (settings_.mesh.on_pages()) settings_.mesh.pages.check_texels(baked.patches);
     if (needs_view && scene.cameras.empty())
       baked.patches.view =
           record.stage("camera", [&](auto&) { return view_of(scene, settings_.look, context); });

@@ -5,6 +5,7 @@
 
 #include "luxel/runs/compression_setting.h"
 #include "luxel/runs/quantity.h"
+#include "luxel/surface/pack_charts.h"
 
 namespace luxel {
 namespace {
@@ -86,6 +87,13 @@ void LightmapSettings::declare(OptionSet& set) {
       "set, as vt instead of its own");
   declare_compression(set, compression, "the .glb of --uv2");
   set.add_output("preview", preview, "picture (.png .exr .hdr) of the scene drawn with the lightmap");
+}
+
+void LightmapSettings::check_texels(const PatchSet& patches) const {
+  if (!lightmap.texels_per_metre) return;
+  check_pack_options(patches, {.texel = static_cast<float>(1.0 / *lightmap.texels_per_metre),
+                               .page_size = lightmap.page_size,
+                               .margin = lightmap.margin});
 }
 
 std::string describe(const Lightmap& lightmap, const LightmapReport& report) {

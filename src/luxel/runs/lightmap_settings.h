@@ -23,6 +23,8 @@ struct LightmapSettings {
   // Options for the layout of pages and the gathering of texels, for commands that put them into meshes.
   void declare_pages(OptionSet& set);
   void declare_texels(OptionSet& set);
+  // Throws InputError where pages with this many texels per metre would be too large: call it before a solve.
+  void check_texels(const PatchSet& patches) const;
 };
 
 // A sentence or two for a person.

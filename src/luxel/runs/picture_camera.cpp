@@ -70,8 +70,8 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
   const bool is_open = !picture.eye && !picture.target;
   Camera camera;
   camera.up = up;
-  if (picture.of_scene && is_open)
-    camera = *picture.of_scene;
+  if (!patches.cameras.empty() && is_open)
+    camera = patches.cameras.front();
   else if (patches.view && is_open && patches.view->up == up)
     camera = framed(*patches.view, aspect);
   else if (!picture.is_given())

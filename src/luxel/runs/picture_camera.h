@@ -18,8 +18,8 @@ void restore_up(const Provenance& provenance, LookSettings& look);
 // direction, not on the size of patches. Cost: a separate mesh, and a million rays.
 Camera view_of(const Scene& scene, const LookSettings& look, const Context& context);
 
-// The camera that the settings name, counted from the patches' origin; missing values come from the view of
-// the patches or are found automatically.
+// The camera that the settings name, relative to the patches' origin; missing values come from the first
+// camera of the patches, from their view, or are found automatically.
 Camera camera_of(const PictureSettings& picture, const LookSettings& look, const Baked& baked,
                  const Tracer& tracer, const Context& context);
 

@@ -37,6 +37,7 @@ constexpr SettingOption options[] = {
     {Setting::sky, "sky"},
     {Setting::spectral, "spectral"},
     {Setting::target, "target"},
+    {Setting::texels_per_metre, "texels-per-metre"},
     {Setting::weld, "weld"},
 };
 

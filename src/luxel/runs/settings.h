@@ -82,7 +82,6 @@ struct LightSettings : LightOptions {
 struct PictureSettings {
   static constexpr float automatic_fov = 0.0f;
   std::optional<Vec3d> eye, target;    // m, in the file's coordinates
-  std::optional<Camera> of_scene;      // that of the scene's file, where neither is given
   float vertical_fov = automatic_fov;  // degrees
   RenderOptions render;
   int gather = 0;  // rays per pixel of a final gather; 0: none

@@ -133,7 +133,7 @@ ChartCuts::Cut ChartCuts::across_page(const Chart& chart) const {
   }
   throw InputError(fmt::format(
       "a patch {:.3g} m long needs more than {} texels of {:.3g} m and fits on no page: take fewer "
-      "texels a metre, larger pages, or smaller patches",
+      "texels per metre, larger pages, or smaller patches",
       chart.stretch * chart.size[0], options_.max_texels, options_.texel));
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
+#include "luxel/core/hint.h"
 #include "luxel/image/pack_shapes.h"
 #include "luxel/patch/side.h"
 #include "luxel/surface/texel_support.h"
@@ -22,9 +23,11 @@ constexpr int widest_margin = 64;
 void check_texels(double count) {
   constexpr auto most = max_texels_of_pages;
   if (count > most)
-    throw InputError(fmt::format(
-        "the surfaces need {:.0f} million texels, expected at most {:.0f}: take fewer texels a metre",
-        1e-6 * count, 1e-6 * most));
+    throw with_hints(
+        InputError(fmt::format("the surfaces need {:.0f} million texels, expected at most {:.0f}: "
+                               "take fewer texels per metre",
+                               1e-6 * count, 1e-6 * most)),
+        {{Setting::texels_per_metre}});
 }
 
 // Number of steps from the first texel to the last, at least one.
@@ -144,7 +147,7 @@ Atlas pack_charts(const PatchSet& patches, const Charts& charts, const PackOptio
   atlas.pages = packed.pages;
   if (atlas.pages == 0 && !shapes.empty())
     throw InputError(
-        fmt::format("a chart fits on no page of {} texels: take larger pages or fewer texels a "
+        fmt::format("a chart fits on no page of {} texels: take larger pages or fewer texels per "
                     "metre",
                     options.page_size));
 

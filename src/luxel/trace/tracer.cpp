@@ -126,7 +126,8 @@ struct Tracer::State {
 Tracer::Tracer(const PatchSet& patches, const Context& context) : state_(std::make_unique<State>()) {
   state_->device = rtcNewDevice(device_config);
   if (!state_->device) {
-    throw_on_error(nullptr, "start");
+    if (rtcGetDeviceError(nullptr) == RTC_ERROR_OUT_OF_MEMORY)
+      throw DeviceError("Embree could not start: the limit on the memory of this process is too low");
     throw DeviceError("Embree could not start on this processor");
   }
   state_->scene = rtcNewScene(state_->device);
