@@ -42,6 +42,8 @@ struct ExportProfile {
   /// The program reads KHR_mesh_quantization. Otherwise only colours and texture coordinates become integers,
   /// as they may in every glTF file.
   bool reads_quantised = true;
+  /// The program shows a triangle from both sides, whatever its material says.
+  bool shows_both_faces = false;
   /// The program reads EXT_meshopt_compression. Otherwise the file is not compressed.
   bool reads_meshopt = true;
 };

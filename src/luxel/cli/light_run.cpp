@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/cli/light_run.h"
 
+#include <exception>
+
 #include <fmt/format.h>
 
 #include "luxel/cli/accuracy_text.h"
@@ -9,6 +11,7 @@
 #include "luxel/cli/output_estimate.h"
 #include "luxel/cli/run_report.h"
 #include "luxel/cli/step_pictures.h"
+#include "luxel/core/error.h"
 #include "luxel/core/work_partition.h"
 #include "luxel/runs/quantity.h"
 
@@ -55,10 +58,17 @@ int LightRun::run(BakeStart& start, const Scene* scene) {
   // The requested files, written by this process alone.
   const auto samples = stage.samples_to_store(baked);
   budget.reserve(end_of_texels * budget.left());
-  stage.checkpoint().finish(baked);
+  // First, since an interrupt ends the outputs. Where its disk is full, the outputs may be on another one.
+  std::exception_ptr failure;
+  try {
+    stage.checkpoint().finish(baked);
+  } catch (const DeviceError&) {
+    failure = std::current_exception();
+  }
   auto written = write_outputs(baked, &stage.tracer(), outputs, place, {samples.get(), samples});
   for (const auto& file : steps.write(baked, stage.tracer(), written.camera, outputs, place))
     written.files.push_back(file);
+  if (failure) std::rethrow_exception(failure);
   finish({.command = options_.name(),
           .baked = &baked,
           .solve = &solved,

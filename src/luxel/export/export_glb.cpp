@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/utf8.h"
+#include "luxel/export/back_gap.h"
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
@@ -37,8 +38,10 @@ Columns columns_of(const LitMesh& mesh, const LitPart& part, const ExportProfile
   return columns;
 }
 
-Json add_primitive(GltfWriter& file, const LitMesh& mesh, const LitPart& part, const ExportProfile& profile) {
-  const auto columns = columns_of(mesh, part, profile);
+Json add_primitive(GltfWriter& file, const LitMesh& mesh, const LitPart& part, const ExportProfile& profile,
+                   float gap) {
+  auto columns = columns_of(mesh, part, profile);
+  if (part.back && gap > 0.0f) move_outwards(columns.position, part.triangles, gap);
   auto attributes = add_coloured_vertices(file, columns.position, columns.colour);
   attributes["NORMAL"] = file.add_vectors(std::span(columns.normal));
   if (profile.keeps_irradiance) attributes["_IRRADIANCE"] = file.add_vectors(std::span(columns.irradiance));
@@ -46,7 +49,9 @@ Json add_primitive(GltfWriter& file, const LitMesh& mesh, const LitPart& part, c
           {"indices", file.add_indices(part.triangles, part.smooth.size())}};
 }
 
-void add_mesh(GltfWriter& file, const PatchSet& patches, const LitMesh& mesh, const ExportProfile& profile) {
+void add_mesh(GltfWriter& file, const PatchSet& patches, const LitMesh& mesh, TargetApplication program) {
+  const auto profile = profile_of(program);
+  const auto gap = back_gap(patches, program);
   Json primitives = Json::array();
   auto last_material = std::numeric_limits<std::size_t>::max();
   std::size_t number = 0;  // of the file's material
@@ -56,7 +61,7 @@ void add_mesh(GltfWriter& file, const PatchSet& patches, const LitMesh& mesh, co
           file.append("/materials", unlit_material(fmt::format("{}{}", patches.materials[part.material].name,
                                                                profile.material_suffix)));
     last_material = part.material;
-    primitives.push_back(add_primitive(file, mesh, part, profile));
+    primitives.push_back(add_primitive(file, mesh, part, profile, gap));
     primitives.back()["material"] = number;
   }
   file.append("/meshes", {{"name", "lit surfaces"}, {"primitives", std::move(primitives)}});
@@ -74,7 +79,7 @@ void export_glb(const std::filesystem::path& path, const PatchSet& patches, cons
            light_metadata("vertex", options.program, vertex_light(mesh.curve(), profile), solution));
   if (!mesh.parts().empty()) {  // glTF allows no empty mesh
     file.use_extension("KHR_materials_unlit");
-    add_mesh(file, patches, mesh, profile);
+    add_mesh(file, patches, mesh, options.program);
     add_root(file, {{"name", "scene"}, {"mesh", 0}}, up, patches.origin);
     add_opening_bodies(file, patches, mesh.curve(), {"/nodes/0/children"});
   }

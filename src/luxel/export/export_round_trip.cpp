@@ -16,6 +16,7 @@
 #include "luxel/core/hint.h"
 #include "luxel/core/none.h"
 #include "luxel/core/output_file.h"
+#include "luxel/export/back_gap.h"
 #include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/mapped_surfaces.h"
@@ -118,7 +119,6 @@ class RoundTripExport {
     for (std::size_t p = 0; p < lit.size(); ++p) lit[p] = back_is_lit(solution, p);
     return lit;
   }
-  // gone: [node] primitives of its mesh, ascending.
   void take_off(const std::map<std::size_t, std::vector<std::size_t>>& gone);
   JsonValue material_json(const RoundTripPart& part) const {
     const auto index = part.drawn.primitive["material"];
@@ -135,6 +135,7 @@ class RoundTripExport {
   ToneCurve curve_;
   GltfWriter copy_;
   RoundTripMaterials materials_;
+  const float gap_ = back_gap(input_.patches, options_.program);
 };
 
 // Further primitives of a mesh follow its own.
@@ -159,7 +160,7 @@ void RoundTripExport::put(const SurfacesOf& surfaces_of, const Light& light) {
           s == 0 ? own
                  : primitive_path(mesh, copy_.append_copy(fmt::format("/meshes/{}/primitives", mesh), own)));
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      put_surface(copy_, *file_, part, surfaces[s], paths[s]);
+      put_surface(copy_, *file_, part, surfaces[s], paths[s], gap_);
       light(part, surfaces[s], paths[s]);
       if (surfaces.size() > 1 && surfaces.back().back) materials_.one_sided(paths[s]);
     }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/export/back_gap.h"
 #include "luxel/import/gltf_array.h"
 
 namespace luxel {
@@ -86,6 +87,19 @@ void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const
   }
 }
 
+// Moves a back away from its front, where its vertices are. gap: m in the scene.
+void part_back(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
+               const std::string& path, float gap) {
+  const GltfArray array(file, part.drawn.primitive["attributes"]["POSITION"], 3, 3);
+  std::vector<Vec3> positions;
+  const auto put = [&](const Numbers& p) { positions.emplace_back(p[0], p[1], p[2]); };
+  for (const auto v : surface.own) put(numbers_at(array, v));
+  for (const auto& vertex : surface.added) put(between(array, vertex, Kind::position));
+  const auto scale = glm::length(glm::dvec3(part.drawn.placed.world[0]));
+  move_outwards(positions, surface.triangles, gap / static_cast<float>(scale));
+  copy.put(path + "/attributes/POSITION", copy.add_positions(positions));
+}
+
 }  // namespace
 
 std::string primitive_path(std::size_t mesh, std::size_t primitive) {
@@ -105,10 +119,11 @@ std::size_t mesh_of_node(GltfWriter& copy, std::size_t node, std::vector<bool>& 
 }
 
 void put_surface(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
-                 const std::string& path) {
+                 const std::string& path, float gap) {
   const auto& primitive = part.drawn.primitive;
   if (surface.back) copy.erase(path + "/attributes/TANGENT");
   extend(copy, file, primitive["attributes"], surface, part.vertices, path + "/attributes");
+  if (surface.back && gap > 0.0f) part_back(copy, file, part, surface, path, gap);
   const auto targets = primitive["targets"];
   for (std::size_t i = 0; i < targets.size(); ++i)
     extend(copy, file, targets[i], surface, part.vertices, fmt::format("{}/targets/{}", path, i));

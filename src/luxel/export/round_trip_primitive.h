@@ -19,8 +19,8 @@ std::size_t mesh_of_node(GltfWriter& copy, std::size_t node, std::vector<bool>& 
 
 // Writes a surface's vertices and triangles to the primitive at `path`, a copy of the part's own:
 // unchanged if possible, else with all its attributes, which are interpolated at new vertices.
-// Backs face the other way.
+// Backs face the other way; gap, m: how far they lie behind the fronts.
 void put_surface(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
-                 const std::string& path);
+                 const std::string& path, float gap);
 
 }  // namespace luxel

@@ -57,7 +57,7 @@ ExportProfile profile_of(TargetApplication program) {
     case TargetApplication::unity:
       return {.keeps_irradiance = false};
     case TargetApplication::blender:
-      return {.reads_meshopt = false};
+      return {.shows_both_faces = true, .reads_meshopt = false};  // Cycles
     case TargetApplication::unreal:
       return {.keeps_irradiance = false, .reads_quantised = false, .reads_meshopt = false};
     default:
