@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "luxel/core/convex_hull.h"
 #include "luxel/patch/side.h"
 #include "luxel/surface/cross.h"
 #include "luxel/surface/flat_cover.h"
@@ -24,25 +25,13 @@ struct Box {
   Point size() const { return high - low; }
 };
 
-// Monotone chain, Andrew 1979; counter-clockwise.
+// Counter-clockwise.
 std::vector<Point> convex_hull(std::vector<Point> points) {
   const auto before = [](const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
   std::sort(points.begin(), points.end(), before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<Point> hull;
-  const auto add_chain = [&](auto first, auto last) {
-    const auto begin = hull.size();
-    for (auto p = first; p != last; ++p) {
-      while (hull.size() >= begin + 2 &&
-             !(cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) > 0.0))
-        hull.pop_back();
-      hull.push_back(*p);
-    }
-    if (hull.size() > begin + 1) hull.pop_back();
-  };
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  return hull;
+  return hull_of_sorted(
+      points, [](const Point& a, const Point& b, const Point& c) { return cross(b - a, c - b) > 0.0; });
 }
 
 Box box_along(const std::vector<Point>& points, const Point& axis) {
