@@ -316,30 +316,30 @@ class ReportCommand final : public Command {
   }
 
   void add_warnings(const StoredRun& stored, LightingReport& report) const {
-    auto& warnings = report.warnings;
     VerdictEffort effort(settings_.probe);
     for (const auto& [result, drawing] : report.planes) {
       effort.add(result.verdicts, result.light);
       if (const auto twice = maintenance_warning(result.maintenance(), result.area.name); !twice.empty())
-        warnings.push_back(sentence(twice));
+        report.warnings.push_back(sentence(twice));
     }
+    if (report.ugr_verdict) effort.add(*report.ugr_verdict);
     for (const auto& text :
          effort.sentences({file_, stored.baked.solution.seen_error, stored.samples != nullptr}, seconds_))
-      warnings.push_back(sentence(text));
+      report.warnings.push_back(sentence(text));
     if (report.luminaires.types.empty())
-      warnings.push_back(
+      report.warnings.push_back(
           "The solution has no luminaires with photometric files: bake it with --luminaires or "
           "--luminaire-grid to have a list of luminaires and their power.");
     for (const auto& [result, drawing] : report.planes)
       if (result.unreached > 0)
-        warnings.push_back(
+        report.warnings.push_back(
             fmt::format("{} of {} points of the {} have a larger error than requested: more --rays "
                         "reduce it.",
                         result.unreached, result.grid.points(), result.area.name));
     std::size_t large = 0;
     for (const auto& o : report.observers) large += o.glare.large > 0 ? 1 : 0;
     if (large > 0)
-      warnings.push_back(
+      report.warnings.push_back(
           fmt::format("{} of {} observers see a source above 0.1 sr, for which UGR is not made.", large,
                       report.observers.size()));
   }

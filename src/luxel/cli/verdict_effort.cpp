@@ -26,11 +26,16 @@ double reached_error(const std::vector<ProbedLight>& points, double floor) {
 
 void VerdictEffort::add(const std::vector<Verdict>& verdicts, const std::vector<ProbedLight>& light) {
   for (const auto& verdict : verdicts) {
-    factor_ = std::min(factor_, verdict.solution_factor.value_or(1.0));
-    if (!verdict.more_rays) continue;
+    add(verdict);
+    // The rays of glare are not those of the points.
+    if (!verdict.more_rays || verdict.quantity == "UGR") continue;
     rays_ = std::max(rays_, *verdict.more_rays);
     error_ = std::min(error_, reached_error(light, floor_) / std::sqrt(*verdict.more_rays));
   }
+}
+
+void VerdictEffort::add(const Verdict& verdict) {
+  factor_ = std::min(factor_, verdict.solution_factor.value_or(1.0));
 }
 
 std::vector<std::string> VerdictEffort::sentences(const MeasuredSolution& solution, double seconds) const {

@@ -24,6 +24,8 @@ class VerdictEffort {
 
   // Verdicts on the points of one area.
   void add(const std::vector<Verdict>& verdicts, const std::vector<ProbedLight>& light);
+  // A verdict that no rays to points decide: counts what it needs of the solution.
+  void add(const Verdict& verdict);
   // Sentences with the --error that would decide open verdicts, and the longer time it takes; empty where
   // none is open. seconds: that the measurement took; 0: not known.
   std::vector<std::string> sentences(const MeasuredSolution& solution, double seconds) const;

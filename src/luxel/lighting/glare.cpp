@@ -85,7 +85,7 @@ ObservedGlare GlareMeter::at(const GlareObserver& observer, const GlareOptions& 
   for (const auto& lamp : surfaces_) add_surface(view, lamp, options, observed);
   std::stable_sort(observed.sources.begin(), observed.sources.end(),
                    [](const GlareSource& a, const GlareSource& b) { return a.glare() > b.glare(); });
-  find_background(view, options, observed);
+  const auto background_sampling = find_background(view, options, observed);
   double sum = 0.0, squared_error = 0.0;
   for (const auto& source : observed.sources) {
     sum += source.glare();
@@ -98,8 +98,10 @@ ObservedGlare GlareMeter::at(const GlareObserver& observer, const GlareOptions& 
     return observed;
   }
   observed.ugr = 8.0 * std::log10(0.25 * sum / observed.background);
-  const auto relative =
-      std::hypot(std::sqrt(squared_error) / sum, observed.background_error / observed.background);
+  const auto of_sources = std::sqrt(squared_error) / sum;
+  const auto relative = std::hypot(of_sources, observed.background_error / observed.background);
+  const auto by_rays = std::hypot(of_sources, background_sampling / observed.background);
+  if (relative > 0.0) observed.sampling = by_rays * by_rays / (relative * relative);
   const auto reach = 8.0 * std::log10(1.0 + normal_quantile * relative);
   observed.low = observed.ugr - reach;
   observed.high = observed.ugr + reach;
@@ -212,8 +214,8 @@ void GlareMeter::add_surface(const View& view, const LampSurface& lamp, const Gl
   add_source(view, std::move(source), rays, observed);
 }
 
-void GlareMeter::find_background(const View& view, const GlareOptions& options,
-                                 ObservedGlare& observed) const {
+double GlareMeter::find_background(const View& view, const GlareOptions& options,
+                                   ObservedGlare& observed) const {
   const auto& solved = probe_.solved();
   const auto& patches = probe_.patches();
   std::vector<OwenSobol> numbers;
@@ -254,6 +256,7 @@ void GlareMeter::find_background(const View& view, const GlareOptions& options,
   observed.background = mean / exact_pi;
   observed.background_error =
       std::hypot(sampling_error, solved.error(errors, static_cast<double>(rays))) / exact_pi;
+  return sampling_error / exact_pi;
 }
 
 namespace {

@@ -49,6 +49,7 @@ struct ObservedGlare {
   double low = nothing, high = nothing;  // 95 % interval, by the errors of background and visibility
   double background = 0.0;               // cd/m²: indirect illuminance at the eye / pi
   double background_error = 0.0;         // standard error, cd/m²: of the rays and of the solution
+  double sampling = 1.0;                 // fraction of the interval's variance that more rays reduce
   std::vector<GlareSource> sources;      // the largest glare first
   std::size_t ignored = 0;               // visible lamps that UGR ignores, see GlareMeter
   std::size_t large = 0;                 // sources above 0.1 sr, for which UGR is not made
@@ -84,7 +85,8 @@ class GlareMeter {
   void add_surface(const View& view, const LampSurface& lamp, const GlareOptions& options,
                    ObservedGlare& observed) const;
   void add_source(const View& view, GlareSource source, std::uint32_t rays, ObservedGlare& observed) const;
-  void find_background(const View& view, const GlareOptions& options, ObservedGlare& observed) const;
+  // Returns the part of the standard error that comes from the rays, cd/m².
+  double find_background(const View& view, const GlareOptions& options, ObservedGlare& observed) const;
 
   const SolutionProbe& probe_;
   Vec3d up_;

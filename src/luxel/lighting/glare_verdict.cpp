@@ -29,12 +29,15 @@ Verdict judge_highest(std::span<const NamedGlare> observers, double required, co
   const NamedGlare* highest = nullptr;
   for (const auto& o : observers)
     if (highest == nullptr || o.glare.ugr > highest->glare.ugr) highest = &o;
-  const auto figure =
-      highest == nullptr ? Figure{} : Figure{highest->glare.ugr, highest->glare.low, highest->glare.high};
+  Figure figure;
+  if (highest != nullptr) {
+    const auto& glare = highest->glare;
+    figure = {glare.ugr, glare.low, glare.high, glare.sampling, glare.sampling};
+  }
   auto verdict = judge("UGR", figure, required, false);
-  verdict.more_rays = verdict.solution_factor = std::nullopt;  // their errors are not separated
   if (highest == nullptr || figure.value > 1e9) {
     verdict.compliance = Compliance::not_known;
+    verdict.more_rays = verdict.solution_factor = std::nullopt;
     verdict.note = highest == nullptr ? "there are no observers"
                                       : fmt::format("observer {} sees a dark background", highest->name);
   } else if (std::isinf(figure.value)) {

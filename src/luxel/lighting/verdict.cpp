@@ -62,7 +62,6 @@ std::string remedy_of(const Verdict& verdict) {
   if (verdict.solution_factor)
     return fmt::format("the error of the solution is too large: it must fall to {:.2g} of what it is",
                        *verdict.solution_factor);
-  if (verdict.quantity == "UGR") return "more rays, or a smaller error of the solution, are needed";
   return "the value lies on the bound, and no practical number of rays tells";
 }
 

@@ -155,6 +155,7 @@ TEST(Glare, states_the_error_of_its_background) {
   for (const auto& s : seen) {
     spread += (s.background - mean) * (s.background - mean) / 199.0;
     stated += s.background_error * s.background_error / 200.0;
+    EXPECT_EQ(s.sampling, 1.0);  // the solution of the rig has no errors
   }
   EXPECT_GT(spread, 0.3 * stated);
   EXPECT_LT(spread, 1.1 * stated);
