@@ -56,12 +56,16 @@ TEST(HeatMap, open_ground_has_the_light_of_the_weather) {
 // The areas of the colours, days times hours.
 std::map<std::string, double> areas_of(const std::string& svg) {
   std::map<std::string, double> areas;
-  const std::regex path("<path class=\"hours\" fill=\"(#[0-9a-f]+)\" d=\"([^\"]*)\"/>");
   const std::regex cell("M(\\d+) ([0-9.]+)h1V([0-9.]+)h-1z");
-  for (std::sregex_iterator i(svg.begin(), svg.end(), path), end; i != end; ++i) {
-    const auto d = (*i)[2].str();
-    for (std::sregex_iterator k(d.begin(), d.end(), cell); k != end; ++k)
-      areas[(*i)[1]] += std::stod((*k)[2]) - std::stod((*k)[3]);
+  const std::string path = "<path class=\"hours\" fill=\"", then = "\" d=\"";
+  // A path is long: a regular expression over all of it would need more stack than there is.
+  for (auto at = svg.find(path); at != std::string::npos; at = svg.find(path, at)) {
+    at += path.size();
+    const auto colour = svg.substr(at, svg.find('"', at) - at);
+    const auto begin = svg.find(then, at) + then.size();
+    const auto d = svg.substr(begin, svg.find('"', begin) - begin);
+    for (std::sregex_iterator k(d.begin(), d.end(), cell), end; k != end; ++k)
+      areas[colour] += std::stod((*k)[2]) - std::stod((*k)[3]);
   }
   return areas;
 }
