@@ -42,19 +42,19 @@ struct Solution {
   SideValues irradiance;  ///< W/m²
   SideValues radiosity;   ///< W/m²
   /// Standard error of the irradiance of each side, from the spread of independent replicates and the
-  /// estimated bias of smoothing; widened like Student's t for few replicates, so that 1.96 of them contain the
-  /// true value in 95 of 100 cases. Dense: maximum deviation due to the errors of the form factors. Empty
+  /// estimated bias of smoothing; widened like Student's t for few replicates, so that 1.96 of them contain
+  /// the true value in 95 of 100 cases. Dense: maximum deviation due to the errors of the form factors. Empty
   /// where the method gives none.
   SideValues standard_error;  ///< W/m²
-  /// The part of that which is bias of sharing, not widened: it stays when independent answers are merged.
-  /// Empty where nothing was shared.
+  /// The part of that which is bias of smoothing, not widened: it stays when independent answers are merged.
+  /// Empty where nothing was smoothed.
   SideValues smoothing_bias;     ///< W/m²
   double unshot_fraction = 0.0;  ///< power not yet propagated over the emitted power: the stated bias
   double predicted_error = 0.0;  ///< area-weighted relative RMS standard error of the irradiance, not widened
   /// The error that can be seen: 95 % of the views, spread over the open space of the scene, stay below it
   /// (see trace/seen_error.h); not widened. 0: not estimated.
   double seen_error = 0.0;
-  double predicted_bias = 0.0;  ///< the part of predicted_error that is bias of sharing
+  double predicted_bias = 0.0;  ///< the part of predicted_error that is bias of smoothing
   /// degrees of freedom of the standard errors; 0: not from replicates
   double error_degrees_of_freedom = 0.0;
   /// Like seen_error, but due to the size of the patches in the reconstructed light; 0: not estimated.
