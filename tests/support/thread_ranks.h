@@ -41,7 +41,7 @@ class ThreadRanks {
                [&] {
                  auto to = all.begin();
                  for (const auto& part : hub_.given) {
-                   if (part.data() != &*to) std::copy(part.begin(), part.end(), to);
+                   if (!part.empty() && part.data() != &*to) std::copy(part.begin(), part.end(), to);
                    to += static_cast<std::ptrdiff_t>(part.size());
                  }
                });
