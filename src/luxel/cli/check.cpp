@@ -55,8 +55,9 @@ class Check final : public Command {
 
     const CheckText text{&scene, &report, run_.outputs, &options(), &record};
     report_end(record, {}, {}, console);
-    if (!run_.report.empty()) write_file(run_.report, text.as_json());
-    print_result(run_.json ? text.as_json() : text.as_text());
+    const auto json = text.as_json();
+    if (!run_.report.empty()) write_file(run_.report, json);
+    print_result(run_.json ? json : text.as_text());
     if (!report.is_whole) return exit_stopped_early;
     return strict_ && report.count(Severity::error) + report.count(Severity::warning) > 0 ? exit_failed
                                                                                           : exit_fine;

@@ -30,9 +30,11 @@ void print_files(const std::vector<std::string>& files, const RunSettings& run, 
 
 void finish(const RunReport& report, const RunSettings& run, Console& console) {
   report_end(*report.record, report.outputs, accuracy_text(report), console);
-  if (!run.report.empty()) write_file(run.report, report.as_json());
+  // One text for both: it states the memory of this moment.
+  const auto json = report.as_json();
+  if (!run.report.empty()) write_file(run.report, json);
   if (run.json)
-    print_result(report.as_json());
+    print_result(json);
   else
     print_files(report.outputs, run, console);
   if (run.opens) open_one_of(report.outputs, console);

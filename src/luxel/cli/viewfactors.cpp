@@ -97,9 +97,10 @@ class ViewFactorsCommand final : public Command {
     report.options = &options();
     report.record = &record;
     report_end(record, report.outputs, {}, console);
-    if (!run_.report.empty()) write_file(run_.report, report.as_json());
+    const auto json = report.as_json();
+    if (!run_.report.empty()) write_file(run_.report, json);
     if (run_.json)
-      print_result(report.as_json());
+      print_result(json);
     else
       print_files(report.outputs, run_, console);
     return fell_short(report) ? exit_stopped_early : exit_fine;
