@@ -49,6 +49,12 @@ Numbers between(const GltfArray& array, const RoundTripVertex& vertex, Kind kind
   return sum;
 }
 
+std::vector<Vec3> positions_of(const std::vector<float>& values) {
+  std::vector<Vec3> positions(values.size() / 3);
+  for (std::size_t i = 0; i < values.size(); ++i) positions[i / 3][static_cast<int>(i % 3)] = values[i];
+  return positions;
+}
+
 std::size_t add(GltfWriter& copy, const std::vector<float>& values, int components, Kind kind) {
   if (kind == Kind::joints) {
     std::vector<std::array<std::uint16_t, 4>> joints(values.size() / 4);
@@ -57,19 +63,25 @@ std::size_t add(GltfWriter& copy, const std::vector<float>& values, int componen
     return copy.add_joints(joints);
   }
   if (kind != Kind::position) return copy.add_floats(values, components);
-  std::vector<Vec3> positions(values.size() / 3);
-  for (std::size_t i = 0; i < values.size(); ++i) positions[i / 3][static_cast<int>(i % 3)] = values[i];
-  return copy.add_positions(positions);
+  return copy.add_positions(positions_of(values));
 }
 
+// A surface, and how far it is moved outwards, in the coordinates of its node.
+struct MovedSurface {
+  const RoundTripSurface& surface;
+  float distance = 0.0f;
+};
+
 // Extends the attributes at `path` to the old and new vertices. vertices: the number in the part.
-void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const RoundTripSurface& surface,
+void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const MovedSurface& moved,
             std::size_t vertices, const std::string& path) {
+  const auto& surface = moved.surface;
   for (const auto& name : attributes.keys()) {
     const GltfArray array(file, attributes[name], 1, 4);
     const auto kind = kind_of(name);
     const auto turns = surface.back && name == "NORMAL";
-    if (surface.has_all_own && surface.added.empty() && !turns) continue;
+    const auto moves = moved.distance > 0.0f && kind == Kind::position;
+    if (surface.has_all_own && surface.added.empty() && !turns && !moves) continue;
     if (array.size() < vertices)
       attributes[name].refuse(fmt::format("expected {} elements, found {}", vertices, array.size()));
     std::vector<float> values;
@@ -83,21 +95,14 @@ void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const
     };
     for (const auto v : surface.own) put(numbers_at(array, v));
     for (const auto& vertex : surface.added) put(between(array, vertex, kind));
-    copy.put(path + "/" + name, add(copy, values, array.components(), kind));
+    if (moves) {
+      auto positions = positions_of(values);
+      move_outwards(positions, surface.triangles, moved.distance);
+      copy.put(path + "/" + name, copy.add_positions(positions));
+    } else {
+      copy.put(path + "/" + name, add(copy, values, array.components(), kind));
+    }
   }
-}
-
-// Moves a back away from its front, where its vertices are. gap: m in the scene.
-void part_back(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
-               const std::string& path, float gap) {
-  const GltfArray array(file, part.drawn.primitive["attributes"]["POSITION"], 3, 3);
-  std::vector<Vec3> positions;
-  const auto put = [&](const Numbers& p) { positions.emplace_back(p[0], p[1], p[2]); };
-  for (const auto v : surface.own) put(numbers_at(array, v));
-  for (const auto& vertex : surface.added) put(between(array, vertex, Kind::position));
-  const auto scale = glm::length(glm::dvec3(part.drawn.placed.world[0]));
-  move_outwards(positions, surface.triangles, gap / static_cast<float>(scale));
-  copy.put(path + "/attributes/POSITION", copy.add_positions(positions));
 }
 
 }  // namespace
@@ -122,11 +127,12 @@ void put_surface(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, co
                  const std::string& path, float gap) {
   const auto& primitive = part.drawn.primitive;
   if (surface.back) copy.erase(path + "/attributes/TANGENT");
-  extend(copy, file, primitive["attributes"], surface, part.vertices, path + "/attributes");
-  if (surface.back && gap > 0.0f) part_back(copy, file, part, surface, path, gap);
+  const auto scale = static_cast<float>(glm::length(glm::dvec3(part.drawn.placed.world[0])));
+  extend(copy, file, primitive["attributes"], {surface, surface.back ? gap / scale : 0.0f}, part.vertices,
+         path + "/attributes");
   const auto targets = primitive["targets"];
   for (std::size_t i = 0; i < targets.size(); ++i)
-    extend(copy, file, targets[i], surface, part.vertices, fmt::format("{}/targets/{}", path, i));
+    extend(copy, file, targets[i], {surface}, part.vertices, fmt::format("{}/targets/{}", path, i));
   if (surface.as_it_was) return;
   copy.erase(path + "/mode");
   copy.put(path + "/indices", copy.add_indices(surface.triangles, surface.own.size() + surface.added.size()));
