@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A headless browser that draws in software: the same picture on every machine, with no need for a graphics card.
-import { env } from 'node:process';
+import assert from 'node:assert/strict';
+import { env, exit } from 'node:process';
 import { chromium } from 'playwright-core';
 
 export function launch(more = []) {
@@ -17,6 +18,21 @@ export function launch(more = []) {
       ...more,
     ],
   });
+}
+
+// Runs checks(browser), of which `what` is said at the end; what fails, and what pages complained of, ends the program with 1.
+export async function run(what, complaints, checks, more = []) {
+  const browser = await launch(more);
+  try {
+    await checks(browser);
+    assert.deepEqual(complaints, []);
+  } catch (error) {
+    console.error(error.message, complaints);
+    exit(1);
+  } finally {
+    await browser.close();
+  }
+  console.log(`${what}: all as it should be`);
 }
 
 // Waits until Luxel's page has said how it is. Not page.waitForFunction, which evaluates a string in the page: its content

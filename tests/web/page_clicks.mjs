@@ -5,9 +5,9 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { argv, exit } from 'node:process';
+import { argv } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { difference, launch, settled } from './browser.mjs';
+import { difference, launch, run, settled } from './browser.mjs';
 
 const [screen, folder, photographs, title, ...pictures] = argv.slice(2);
 const address = pathToFileURL(join(folder, 'box.html')).href;
@@ -317,15 +317,7 @@ async function refusal(browser) {
   await page.context().close();
 }
 
-const browser = await launch(['--force-color-profile=srgb']);
-try {
+await run(screen, complaints, async (browser) => {
   await (screen === 'desk' ? desk : phone)(browser);
   if (screen === 'desk') await refusal(browser);
-  assert.deepEqual(complaints, []);
-} catch (error) {
-  console.error(error.message, complaints);
-  exit(1);
-} finally {
-  await browser.close();
-}
-console.log(`${screen}: all as it should be`);
+}, ['--force-color-profile=srgb']);

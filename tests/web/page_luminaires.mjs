@@ -4,9 +4,9 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { argv, exit } from 'node:process';
+import { argv } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { difference, launch, settled } from './browser.mjs';
+import { difference, run, settled } from './browser.mjs';
 
 const [folder, photographs] = argv.slice(2);
 const address = pathToFileURL(join(folder, 'luminaires.html')).href;
@@ -67,15 +67,7 @@ async function click(browser) {
   await page.context().close();
 }
 
-const browser = await launch(['--force-color-profile=srgb']);
-try {
+await run('luminaires', complaints, async (browser) => {
   await compare(browser);
   await click(browser);
-  assert.deepEqual(complaints, []);
-} catch (error) {
-  console.error(error.message, complaints);
-  exit(1);
-} finally {
-  await browser.close();
-}
-console.log('luminaires: all as it should be');
+}, ['--force-color-profile=srgb']);

@@ -4,9 +4,9 @@
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { argv, exit } from 'node:process';
+import { argv } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { launch } from './browser.mjs';
+import { run } from './browser.mjs';
 
 const [folder, photographs] = argv.slice(2);
 const address = pathToFileURL(join(folder, 'report.html')).href;
@@ -55,16 +55,8 @@ async function onPaper(browser) {
   await page.context().close();
 }
 
-const browser = await launch();
-try {
+await run('report', complaints, async (browser) => {
   await on(browser, 'phone', { width: 390, height: 844 });
   await on(browser, 'desk', { width: 1280, height: 800 });
   await onPaper(browser);
-  assert.deepEqual(complaints, []);
-} catch (error) {
-  console.error(error.message, complaints);
-  exit(1);
-} finally {
-  await browser.close();
-}
-console.log('report: all as it should be');
+});
