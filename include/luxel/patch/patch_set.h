@@ -185,7 +185,7 @@ struct PatchSet {
     const auto p = points(patch);
     return (p[0] + p[1] + p[2]) / 3.0f;
   }
-  /// Whether the bands are plain colour, or wavebands.
+  /// Returns whether the bands are plain colour, or wavebands.
   bool has_colours() const;
   /// Returns the conversion of the bands to colour. Throws MismatchError where they are neither plain colour
   /// (red, green and blue in this order) nor wavebands.

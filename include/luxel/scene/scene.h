@@ -78,7 +78,7 @@ void turn_triangle(Scene& scene, std::size_t triangle);
 /// The box of all triangles, counted from the origin; a vertex that no triangle uses does not count.
 Bounds bounds(const Scene& scene);
 
-/// Whether the scene has an emitting surface, a punctual light, or a sky.
+/// Returns whether the scene has an emitting surface, a punctual light, or a sky.
 bool has_light(const Scene& scene);
 
 /// Throws InputError naming the source where an array's length, an index or a number breaks the promise

@@ -11,7 +11,7 @@ namespace luxel {
 
 struct SampleState;
 
-/// Whether a file's extension is that of a solution: .vtkhdf, in small or capital letters.
+/// Returns whether a file's extension is that of a solution: .vtkhdf, in small or capital letters.
 bool is_solution(const std::filesystem::path& path);
 
 /// Contents of a .vtkhdf file: the light, and the patches that it lies on.

@@ -46,7 +46,7 @@ inline SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, So
 std::optional<Forecast> forecast_light(const PatchSet& patches, const Tracer& tracer,
                                        const LightOptions& options, const Context& context = {});
 
-/// Whether an estimate exceeds an hour, or four fifths of the free memory.
+/// Returns whether an estimate exceeds an hour, or four fifths of the free memory.
 bool is_too_much(const Forecast& forecast);
 
 }  // namespace luxel

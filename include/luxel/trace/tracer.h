@@ -43,7 +43,7 @@ class Tracer {
   Hit nearest(const Ray& ray) const;
   /// The same hits as nearest() gives one by one, bit for bit; hits.size() == rays.size().
   void nearest(std::span<const Ray> rays, std::span<Hit> hits) const;
-  /// Whether the ray meets a surface before max_distance.
+  /// Returns whether the ray meets a surface before max_distance.
   bool occluded(const Ray& ray, float max_distance) const;
 
  private:

@@ -23,7 +23,7 @@ class Command {
   // Returns the exit code; throws the library's errors.
   virtual int run() = 0;
   const OptionSet& options() const { return options_; }
-  // Whether its work can be divided among processes; and these processes, which must outlive the run.
+  // Returns whether its work can be divided among processes; and these processes, which must outlive the run.
   virtual bool takes_ranks() const { return false; }
   void set_ranks(const Ranks* ranks) { ranks_ = ranks; }
 

@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// Whether v has a length of 1, but for the rounding of floats. For assertions.
+// Returns whether v has a length of 1, but for the rounding of floats. For assertions.
 inline bool is_unit(const Vec3d& v) { return std::abs(glm::dot(v, v) - 1.0) < 1e-4; }
 
 }  // namespace luxel

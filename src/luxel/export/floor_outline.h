@@ -25,7 +25,7 @@ double area_of(std::span<const PlanPoint> loop);
 // m, from the nearest point of the loop's boundary.
 double distance_from(std::span<const PlanPoint> loop, const PlanPoint& point);
 
-// Whether the point is within the loop, by the parity of crossings.
+// Returns whether the point is within the loop, by the parity of crossings.
 bool contains(std::span<const PlanPoint> loop, const PlanPoint& point);
 
 }  // namespace luxel

@@ -15,8 +15,8 @@ class PageCuts {
  public:
   PageCuts(const RoundTripScene& round_trip, const Atlas& atlas);
   bool is_cut(std::size_t triangle) const { return is_cut_[triangle]; }  // into its patches
-  // Whether a vertex of the patches is a corner of drawn triangles: uncut neighbours use it too, since
-  // otherwise a crack would show between them.
+  // Returns whether a vertex of the patches is a corner of drawn triangles: uncut neighbours use it too,
+  // since otherwise a crack would show between them.
   bool is_drawn(std::uint32_t point) const { return is_drawn_[point]; }
 
  private:

@@ -23,7 +23,7 @@ class RoundTripMaterials {
   // Keeps references.
   RoundTripMaterials(GltfWriter& copy, TargetApplication program) : copy_(copy), program_(program) {}
 
-  // Whether a texture still colours the reflection of the primitive's material.
+  // Returns whether a texture still colours the reflection of the primitive's material.
   static bool is_textured(const JsonValue& material);
 
   // Each assigns the primitive at `path` its material: that of the file with this `index`, changed; or a new

@@ -21,7 +21,7 @@ struct RoundTripPart {
   bool as_read = true;                                // no triangle was turned since
 };
 
-// Whether the part draws triangles, all of them opaque. A part has one material.
+// Returns whether the part draws triangles, all of them opaque. A part has one material.
 bool is_opaque(const Scene& scene, const RoundTripPart& part);
 
 // Returns the parts of the file from which a scene was read, or which was made from it. order: [triangle of

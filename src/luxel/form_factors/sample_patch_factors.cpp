@@ -56,7 +56,7 @@ bool has_target(const SampleFactorsOptions& options) {
   return options.error > 0.0 || options.row_error > 0.0;
 }
 
-// Whether this fraction of the error target is reached.
+// Returns whether this fraction of the error target is reached.
 bool is_reached(const Trial& trial, const SampleFactorsOptions& options, double fraction) {
   return has_target(options) && (options.error == 0.0 || trial.error <= fraction * options.error) &&
          (options.row_error == 0.0 || trial.row_error <= fraction * options.row_error);

@@ -9,7 +9,8 @@
 
 namespace luxel {
 
-// Whether one of the options makes a material of this name, which lets light pass in the file, a pane.
+// Returns whether one of the options makes a material of this name, which lets light pass in the file, a
+// pane.
 bool is_glass_of(const std::vector<GlassOption>& options, const std::string& name);
 
 // Makes materials panes of glass or diffusers (LoadOptions::glass), and notes which. Throws InputError where

@@ -40,7 +40,7 @@ GltfParts drawn_parts(const GltfFile& file, const std::vector<PlacedNode>& nodes
 std::vector<std::array<std::uint32_t, 3>> triangle_corners(GltfFile& file, const JsonValue& primitive,
                                                            std::size_t vertices);
 
-// Whether the transform of a node reverses the winding of triangles.
+// Returns whether the transform of a node reverses the winding of triangles.
 bool mirrors(const glm::dmat4& world);
 
 }  // namespace luxel

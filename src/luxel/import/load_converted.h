@@ -6,7 +6,7 @@
 
 namespace luxel {
 
-// Whether the file is FBX, COLLADA or 3DS, by its ending.
+// Returns whether the file is FBX, COLLADA or 3DS, by its ending.
 bool is_converted(const std::filesystem::path& path);
 
 // load_scene() for these, without the options that need no file format: the program luxel-import, a process

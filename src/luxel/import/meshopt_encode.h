@@ -12,7 +12,7 @@
 
 namespace luxel {
 
-// Whether Luxel was built with meshoptimizer. Without it the functions below throw InputError.
+// Returns whether Luxel was built with meshoptimizer. Without it the functions below throw InputError.
 bool has_meshopt();
 
 // Triangles and vertices in the order that compresses best and is drawn fastest.

@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t triangle_list = 4;  // glTF's mode
 constexpr int f32 = 5126;
 
-// Whether all arrays of a primitive can be read and belong together.
+// Returns whether all arrays of a primitive can be read and belong together.
 bool is_readable(GltfFile& file, const JsonValue& primitive) {
   try {
     const auto attributes = primitive["attributes"];

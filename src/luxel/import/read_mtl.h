@@ -32,15 +32,15 @@ struct MtlMaterial {
   std::optional<float> opacity;     // d; Tr is passed over, since exporters disagree about its meaning
 };
 
-// Whether illum, Ni and Tf describe glass, whatever its d: refraction, and little diffuse light. Writers that
-// give every material an illum of 4 leave its Ni at 1.
+// Returns whether illum, Ni and Tf describe glass, whatever its d: refraction, and little diffuse light.
+// Writers that give every material an illum of 4 leave its Ni at 1.
 bool is_glass(const MtlMaterial& material);
 
 // The transmittance of a pane, if Tf states one: [0, 1], at least 0.5 in a band. Below that Tf is usually the
 // opacity, which some writers put there.
 std::optional<Vec3> stated_transmittance(const MtlMaterial& material);
 
-// Whether illum selects reflections of other surfaces, as metal and mirrors have them.
+// Returns whether illum selects reflections of other surfaces, as metal and mirrors have them.
 bool is_polished(const MtlMaterial& material);
 
 // Reads the text of an MTL file. Throws InputError naming source and line for a Kd, Ks, Ke or d that is not

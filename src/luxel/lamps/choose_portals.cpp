@@ -115,7 +115,7 @@ class Trials {
   PortalOptions options_;
 };
 
-// Whether a line goes through a convex polygon.
+// Returns whether a line goes through a convex polygon.
 bool crosses(const OpenPolygon& polygon, const Trial& trial, const LitLine& line) {
   const auto aside = glm::cross(trial.centre - line.from, line.direction);
   if (glm::dot(aside, aside) > trial.radius * trial.radius) return false;

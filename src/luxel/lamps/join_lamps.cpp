@@ -150,7 +150,7 @@ class Joining {
     return is_flat(group, normal, flatness * coordinate) ? corners : std::vector<Vec3>();
   }
 
-  // Whether the corners lie between two planes at most `apart` apart.
+  // Returns whether the corners lie between two planes at most `apart` apart.
   bool is_flat(const std::vector<std::uint32_t>& group, const Vec3d& normal, double apart) const {
     const Vec3d from(facets_[group[0]].corner[0]);
     double low = 0.0;

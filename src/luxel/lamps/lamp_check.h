@@ -34,7 +34,7 @@ enum class LampFault {
   faces_wall,      // it shines against a surface right before it, while its back has room
 };
 LampFault judge(const LampView& view);
-// Whether its back faces the scene, so that it may have to be flipped.
+// Returns whether its back faces the scene, so that it may have to be flipped.
 bool turning_helps(const LampView& view);
 
 // Describes the problem of a lamp as a sentence, empty if there is none; the same with a remedy.

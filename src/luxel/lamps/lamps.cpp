@@ -43,7 +43,7 @@ std::array<Vec3, 3> joined(const PatchSet& patches, std::size_t begin, std::size
   return {a, b, c};
 }
 
-// Whether all patches of the material emit equally.
+// Returns whether all patches of the material emit equally.
 bool shines_evenly(const BandMaterial& material) {
   return !material.textures.emittance && !material.textures.cutout;
 }

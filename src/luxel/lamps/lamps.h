@@ -56,7 +56,8 @@ class Lamps {
   }
   // Its light group.
   std::size_t group(std::size_t triangle) const { return group_[triangle]; }
-  // Whether all lamps have one colour: radiance = weight * colour, [band], up to the rounding of floats.
+  // Returns whether all lamps have one colour: radiance = weight * colour, [band], up to the rounding of
+  // floats.
   bool one_colour() const { return one_colour_; }
   std::span<const double> colour() const { return colour_; }
 

@@ -50,8 +50,8 @@ class LightTree {
   // Chooses one lamp of a branch with many, in proportion to its bound at x or, by_area, to its area. u:
   // uniform in [0, 1); rescaled at each step down, so that even numbers make even choices.
   LampChoice choose(const LampBranch& branch, const Vec3& x, const Vec3& n, double u, bool by_area) const;
-  // Whether the lamp is one of the branch's, and the probability with which choose() gives it. For a branch
-  // with many.
+  // Returns whether the lamp is one of the branch's, and the probability with which choose() gives it. For a
+  // branch with many.
   bool holds(const LampBranch& branch, std::uint32_t lamp) const;
   double probability(const LampBranch& branch, std::uint32_t lamp, const Vec3& x, const Vec3& n,
                      bool by_area) const;

@@ -28,7 +28,7 @@ class PointLamps {
 
   // Takes one more sample of a replicate. u, v: uniform in [0, 1): for lamps; for luminaires.
   void sample(std::uint32_t replicate, const std::array<float, 2>& u, const std::array<float, 3>& v);
-  // Whether sample() uses v: whether there are luminaires with an opening, or suns with a disc.
+  // Returns whether sample() uses v: whether there are luminaires with an opening, or suns with a disc.
   bool has_openings() const { return !opening_choices_.empty() || !discs_.empty(); }
   // Adds the estimate of each replicate, W/m², to irradiance, [replicate][band]. samples: taken per
   // replicate.

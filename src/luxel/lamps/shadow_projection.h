@@ -18,7 +18,7 @@ class ShadowProjection {
   // Keeps references. Suns less than 1.2 degrees above the plane are left out: see reaches().
   ShadowProjection(const PointLight& light, const FlatTriangle& plane);
 
-  // Whether the light is far enough above the plane or, from behind, below it.
+  // Returns whether the light is far enough above the plane or, from behind, below it.
   bool reaches() const { return side_ != 0.0; }
   bool from_behind() const { return side_ < 0.0; }
   Vec3d lit_side() const { return side_ * plane_.normal; }

@@ -29,7 +29,7 @@ class SkyBox {
   Vec3 low_, high_;
 };
 
-// Whether a ray met a side that takes part in the exchange of light: any but the back of a one-sided
+// Returns whether a ray met a side that takes part in the exchange of light: any but the back of a one-sided
 // material.
 inline bool takes_part(const PatchSet& patches, const Hit& hit) {
   return hit && (!hit.back || patches.material_of(hit.patch).two_sided);

@@ -46,7 +46,7 @@ struct Shape {
     return std::any_of(polygons.begin(), polygons.end(), is_inside) &&
            std::none_of(holes.begin(), holes.end(), is_inside);
   }
-  // Whether all that is nearer than the border lies inside, too.
+  // Returns whether all that is nearer than the border lies inside, too.
   bool has(const Vec2d& p, double border) const {
     if (!has(p)) return false;
     constexpr int directions = 16;
@@ -292,7 +292,7 @@ class GridMaker {
     if (grid_.position.empty()) refuse("no point of the grid lies in it; expected a smaller spacing");
   }
 
-  // Whether a point of a band lies in the scene's extents and sees the next point of the task area.
+  // Returns whether a point of a band lies in the scene's extents and sees the next point of the task area.
   bool is_near_task(const Vec3d& at) const {
     constexpr double lift = 0.01;  // m, off surfaces in the plane
     const auto& hole = area_.without.front();

@@ -9,7 +9,8 @@
 namespace luxel {
 namespace {
 
-// Whether the vertical line through a point meets the polygon, by the parity of crossings in the level plane.
+// Returns whether the vertical line through a point meets the polygon, by the parity of crossings in the
+// level plane.
 bool is_above(const std::vector<Vec3d>& polygon, const Vec3d& point, const Vec3d& up) {
   const auto along = glm::normalize(std::abs(up.x) < 0.9 ? glm::cross(up, Vec3d(1.0, 0.0, 0.0))
                                                          : glm::cross(up, Vec3d(0.0, 1.0, 0.0)));

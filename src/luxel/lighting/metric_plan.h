@@ -38,7 +38,7 @@ CalculationGrid rectangular_grid(const Vec3d& corner, const Vec3d& first, const 
 // triangles: corners, m, three per triangle.
 std::vector<std::vector<Vec2d>> openings_of(const CalculationGrid& grid, const std::vector<Vec3d>& triangles);
 
-// Whether drawings of the grid take a whole row each; else two stand beside each other.
+// Returns whether drawings of the grid take a whole row each; else two stand beside each other.
 bool is_wide_plan(const CalculationGrid& grid);
 
 // Drawings over a plan, side by side where that leaves them readable: each with coloured cells, lines,

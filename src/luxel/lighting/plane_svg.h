@@ -25,7 +25,8 @@ struct PlaneDrawing {
 // route, has its profile instead: illuminance over distance, with the required minimum.
 std::string isolux_svg(const PlaneResult& result, const PlaneDrawing& drawing = {});
 
-// Whether isolux_svg() of this result shows anything but the plan: a line, or a square of four points.
+// Returns whether isolux_svg() of this result shows anything but the plan: a line, or a square of four
+// points.
 bool has_isolux_lines(const PlaneResult& result, const PlaneDrawing& drawing = {});
 
 // The same with the value at each point in lx, each cell tinted by its value, without lines. Where the

@@ -66,8 +66,8 @@ UgrTable ugr_table(const Photometry& photometry, double spacing = 0.25);
 UgrTerms ugr_terms(const Photometry& photometry, double spacing, std::size_t room, std::size_t reflectances,
                    bool endwise);
 
-// Whether the distribution is alike about both vertical planes, to 5 % of its largest value. UGR tables are
-// made for such luminaires; others are seen from C0 and C90 (IES: 90 and 0).
+// Returns whether the distribution is alike about both vertical planes, to 5 % of its largest value. UGR
+// tables are made for such luminaires; others are seen from C0 and C90 (IES: 90 and 0).
 bool is_symmetric(const IntensityDistribution& intensity);
 
 // Names of a set of reflectances: "70/50/20", ceiling, walls and floor in per cent.

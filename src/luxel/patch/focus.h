@@ -13,8 +13,8 @@ namespace luxel {
 inline constexpr const char* focus_on_all = "all";
 inline constexpr const char* focus_on_camera = "camera";
 
-// Whether a patch is of a material, an object or a group whose name matches the pattern (* and ? as in
-// name_pattern.h). Without a scene only materials have names.
+// Returns whether a patch is of a material, an object or a group whose name matches the pattern (* and ? as
+// in name_pattern.h). Without a scene only materials have names.
 bool is_called(const Scene* scene, const PatchSet& patches, std::size_t patch, const std::string& pattern);
 
 // Sets where the error of the light matters (PatchSet::focus, focuses_on_cameras): everywhere, where the

@@ -135,8 +135,8 @@ class GlassObject {
     return std::none_of(is_odd.begin(), is_odd.end(), [](const auto& edge) { return edge.second; });
   }
 
-  // Whether most of the surface is two faces at the ends of a short axis. alike: they must also be alike and
-  // lie over each other, which is required where nothing else shows that it is a body.
+  // Returns whether most of the surface is two faces at the ends of a short axis. alike: they must also be
+  // alike and lie over each other, which is required where nothing else shows that it is a body.
   bool has_two_faces(bool alike) const {
     const auto thickness = highest_ - lowest_;
     Face low, high;

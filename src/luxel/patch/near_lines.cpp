@@ -93,8 +93,8 @@ class Finder {
     }
   }
 
-  // Whether the surface of `other` ends at its edge k, as seen along the normal: all triangles at the edge
-  // lie on one side of it, or are seen from their edges.
+  // Returns whether the surface of `other` ends at its edge k, as seen along the normal: all triangles at the
+  // edge lie on one side of it, or are seen from their edges.
   bool is_outline(const Vec3d& normal, std::uint32_t other, std::size_t k) const {
     const auto& c = triangles_[other].corners;
     const auto a = c[k], b = c[(k + 1) % 3];
@@ -107,8 +107,8 @@ class Finder {
     });
   }
 
-  // Whether `other` stands on its edge k, as seen along the plane: the gap below is small, and light differs
-  // on its two sides. No triangle at the edge goes on towards the plane.
+  // Returns whether `other` stands on its edge k, as seen along the plane: the gap below is small, and light
+  // differs on its two sides. No triangle at the edge goes on towards the plane.
   bool is_foot(const Vec3d& normal, std::uint32_t other, std::size_t k) const {
     const auto& c = triangles_[other].corners;
     const auto a = c[k], b = c[(k + 1) % 3];

@@ -57,7 +57,7 @@ class Numbers {
   double next(std::string_view what);
   // The next number, which must be whole and from `low` to `high`.
   std::size_t next_count(std::string_view what, std::size_t low, std::size_t high);
-  // Whether no word is left.
+  // Returns whether no word is left.
   bool at_end();
   std::size_t line() const { return line_; }  // of the last number, from 1
 

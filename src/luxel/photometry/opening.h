@@ -22,7 +22,7 @@ Vec3d sample_opening(const LuminousOpening& opening, const std::array<double, 2>
 std::optional<double> meet_opening(const LuminousOpening& opening, const Vec3d& origin,
                                    const Vec3d& direction);
 
-// Whether the point lies in the opening or within a margin of it, m. point: local axes.
+// Returns whether the point lies in the opening or within a margin of it, m. point: local axes.
 bool holds(const LuminousOpening& opening, const Vec3d& point, double margin);
 
 // Radius of the sphere about the centre that holds the opening, m.

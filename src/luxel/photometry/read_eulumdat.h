@@ -5,7 +5,7 @@
 
 namespace luxel {
 
-// Whether lines are those of a EULUMDAT file: numbers where its header has them.
+// Returns whether lines are those of a EULUMDAT file: numbers where its header has them.
 bool is_eulumdat(const std::vector<std::string_view>& lines);
 
 // Fills source.result from EULUMDAT lines. Throws InputError with file and line.

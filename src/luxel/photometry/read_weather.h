@@ -13,7 +13,7 @@ namespace luxel {
 Weather read_epw(const std::vector<std::string_view>& lines, const std::string& file);
 Weather read_wea(const std::vector<std::string_view>& lines, const std::string& file);
 
-// Whether a year may have this day; 29 February included.
+// Returns whether a year may have this day; 29 February included.
 bool is_day(unsigned month, unsigned day);
 
 // Fills has_leap_day and the instants of the middles, from month, day, end and duration.

@@ -33,7 +33,7 @@ class SkyModel {
   // Luminance in a direction: in units of the zenith's for the uniform sky and types of the CIE; for Perez as
   // his formula gives it. 0 below the horizon. Cost: 40 ns.
   double relative_luminance(const Vec3d& direction) const;
-  // Whether the sun's place changes the luminances.
+  // Returns whether the sun's place changes the luminances.
   bool follows_sun() const { return kind_ == Kind::graded && (c_ != 0.0 || e_ != 0.0); }
   // Direction of the sun in the model: not below the horizon.
   const Vec3d& sun() const { return sun_; }

@@ -49,7 +49,7 @@ class BatchMeans {
 
   std::size_t elements() const { return count_.size(); }
   std::uint64_t batches(std::size_t element) const { return count_[element]; }
-  // Whether each element has the two batches that an error needs.
+  // Returns whether each element has the two batches that an error needs.
   bool complete() const;
   double mean(std::size_t element, std::size_t value) const { return mean_[element * values_ + value]; }
   // Standard error of the mean; 0 where there are fewer than two batches.

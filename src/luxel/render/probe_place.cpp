@@ -12,7 +12,7 @@
 namespace luxel {
 namespace {
 
-// Whether the back of a patch receives more light than its front, summed over bands.
+// Returns whether the back of a patch receives more light than its front, summed over bands.
 bool back_is_brighter(const Solution& solution, std::size_t patch) {
   const auto bands = static_cast<std::ptrdiff_t>(solution.bands.size());
   const auto sum = [&](const std::vector<float>& irradiance) {

@@ -40,7 +40,7 @@ void for_each_replicate(const PatchSet& patches, const SampleState& samples, con
   });
 }
 
-// Whether the light of all replicates is stored.
+// Returns whether the light of all replicates is stored.
 bool has_replicates(const PatchSet& patches, const SampleState& samples) {
   const auto values = samples.sides.size() * patches.group_count() * patches.band_count();
   if (samples.gathered.size() < 2 || samples.direct.size() != samples.gathered.size()) return false;

@@ -21,7 +21,8 @@ struct SurfacePoint {
 // the lift (a few millionths of the scene), so that it stays inside a corner between walls.
 SurfacePoint surface_point(const PatchSet& patches, std::size_t patch, bool back, const Vec2& weights);
 
-// Whether light that meets this side of the patch is reflected: all fronts, and backs of two-sided materials.
+// Returns whether light that meets this side of the patch is reflected: all fronts, and backs of two-sided
+// materials.
 inline bool is_reflecting(const PatchSet& patches, std::size_t patch, bool back) {
   return !back || patches.material_of(patch).two_sided;
 }

@@ -49,7 +49,8 @@ class LightStage {
   // Requested error; nothing where the method has no such target.
   std::optional<double> error_target() const;
   bool ended_by_ray_budget(const SolveReport& solved) const;
-  // Whether the solve ended before its requested accuracy. Without a target, a limit counts as the request.
+  // Returns whether the solve ended before its requested accuracy. Without a target, a limit counts as the
+  // request.
   bool fell_short(const SolveReport& solved) const;
 
   const Tracer& tracer() const { return *tracer_; }

@@ -122,7 +122,7 @@ class OptionSet {
   std::vector<std::pair<std::string, std::string>> used_values(const std::string& without) const;
   // The options that the user gave on the command line or in a file, with their values.
   std::vector<std::pair<std::string, std::string>> given() const;
-  // Whether the user gave this option; options implied by --quality do not count.
+  // Returns whether the user gave this option; options implied by --quality do not count.
   bool is_given(const std::string& name) const;
   // The positionals and the given options, except those under the heading `without`, as typed.
   std::string given_as_command(const std::string& without) const;

@@ -37,7 +37,7 @@ void check_before_work(const RunSettings& run, const PictureSettings& picture, c
 
 // Throws UsageError where the file that an option names ends in none of `kinds`.
 void expect_ending(const std::string& option, const std::string& file, const std::string& kinds);
-// Whether it is one of picture_kinds, by its ending.
+// Returns whether it is one of picture_kinds, by its ending.
 bool is_picture(const std::string& output);
 bool is_page(const std::string& output);
 

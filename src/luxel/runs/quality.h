@@ -15,8 +15,8 @@ struct QualitySettings {
   void declare(OptionSet& set);
 };
 
-// Whether the bound of rays that a quality has applies to a run with these options: not where the user gave
-// another bound, unless this one is given too.
+// Returns whether the bound of rays that a quality has applies to a run with these options: not where the
+// user gave another bound, unless this one is given too.
 bool has_ray_budget(const OptionSet& set);
 
 // The table as text, one line for each of its options that the set has.

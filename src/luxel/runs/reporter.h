@@ -27,7 +27,7 @@ class Reporter {
   virtual void clear_bar() = 0;
   // Returns the sentence with the settings that may help, in the form that this reporter's users need.
   virtual std::string worded(const std::string& sentence, const std::vector<Hint>& hints) const = 0;
-  // Whether the user has interrupted the run.
+  // Returns whether the user has interrupted the run.
   virtual bool is_interrupted() const = 0;
   // From here on nothing is lost that took long to compute: an interrupt may end the program at once.
   virtual void light_is_safe() {}

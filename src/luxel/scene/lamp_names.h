@@ -5,8 +5,8 @@
 
 namespace luxel {
 
-// Whether a material's name is that of a lamp: one of its words is "lamp", "bulb", "luminaire" and the like,
-// or its last word is "light". Words end at other characters than letters, and before a capital:
+// Returns whether a material's name is that of a lamp: one of its words is "lamp", "bulb", "luminaire" and
+// the like, or its last word is "light". Words end at other characters than letters, and before a capital:
 // "CeilingLight", "bulb.001". "light wood" and "LightGrey" are not lamps.
 bool is_lamp_name(std::string_view name);
 

@@ -26,7 +26,7 @@ class SampleRelighting {
   bool has_samples() const { return samples_ != nullptr; }
   const std::shared_ptr<const SampleState>& samples() const { return samples_; }
   const SampledOptions& options() const { return options_; }
-  // Whether a solve with these options may continue from the samples: only its limits differ.
+  // Returns whether a solve with these options may continue from the samples: only its limits differ.
   bool fits(const SampledOptions& options) const;
 
   // Finds the light of each light group, once, unless the monitor stops it. Needs samples.

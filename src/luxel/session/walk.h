@@ -6,7 +6,7 @@
 
 namespace luxel {
 
-// Whether the side that was met sends light on.
+// Returns whether the side that was met sends light on.
 inline bool reflects(const PatchSet& patches, const Hit& hit) {
   const auto& material = patches.material_of(hit.patch);
   if (hit.back && !material.two_sided) return false;

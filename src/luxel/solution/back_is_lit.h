@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-// Whether light fell on the back of a patch; false where the solution has no light of backs.
+// Returns whether light fell on the back of a patch; false where the solution has no light of backs.
 bool back_is_lit(const Solution& solution, std::size_t patch);
 
 }  // namespace luxel

@@ -27,7 +27,7 @@ class Hdf5Reader {
   using Renamed = std::span<const std::pair<std::string_view, std::string_view>>;
   void use_names(Renamed renamed) { renamed_ = renamed; }
 
-  // Whether there is such a group or dataset, in a group that exists; such an attribute of a group.
+  // Returns whether there is such a group or dataset, in a group that exists; such an attribute of a group.
   bool has(const std::string& name) const;
   bool has_attribute(const std::string& group, const std::string& name) const;
 

@@ -65,8 +65,8 @@ struct RoundStart {
 RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
                      const SampledOptions& options);
 
-// Whether an answer after `next` rays is farther from the budget than that after `now`, on a logarithmic
-// scale. budget 0: never.
+// Returns whether an answer after `next` rays is farther from the budget than that after `now`, on a
+// logarithmic scale. budget 0: never.
 bool is_beyond_budget(double now, double next, double budget);
 
 // Returns the limit of rays or time that the round would exceed, if any, after this many rays and seconds.

@@ -100,7 +100,7 @@ class Refinement {
 
   bool is_met() const { return report_.levels.back().mesh_error <= options_.mesh_error; }
 
-  // Whether the marked patches, which differ by more than noise, have enough of the error.
+  // Returns whether the marked patches, which differ by more than noise, have enough of the error.
   bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
     double marked = 0.0, all = 0.0;
     for (std::size_t p = 0; p < marks.size(); ++p) {

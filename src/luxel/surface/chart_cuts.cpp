@@ -23,7 +23,7 @@ constexpr float min_jump = 2.0f;    // ratio of the light; a lesser one over the
 constexpr double shortest_jump = 16.0;  // texels
 constexpr double shortest_gap = 8.0;    // texels; a shorter one is the foot of a leg, not of a wall
 
-// Whether light that bleeds from one to the other would be visible.
+// Returns whether light that bleeds from one to the other would be visible.
 bool is_jump(float one, float other) {
   const auto [low, high] = std::minmax(one, other);
   return high > min_jump * low;

@@ -71,11 +71,11 @@ class ChartCuts {
   };
   // Cuts along the line that contains the longest of the borders, if they are longer than so many metres.
   Cut along_longest(const Chart& chart, std::vector<Border> borders, double shortest) const;
-  // Whether the middle of a side lies to the left of a line.
+  // Returns whether the middle of a side lies to the left of a line.
   bool lies_left(const Chart& chart, const Line& line, SideId side) const;
-  // Whether some sides lie to the left and some do not.
+  // Returns whether some sides lie to the left and some do not.
   bool parts(const Chart& chart, const Line& line) const;
-  // Whether no lit side of the same fragment goes on beyond the edge k of a side.
+  // Returns whether no lit side of the same fragment goes on beyond the edge k of a side.
   bool is_border(SideId side, std::uint32_t k) const;
   void label(const Sides& sides);
 

@@ -9,9 +9,9 @@
 
 namespace luxel {
 
-// Whether a bilinear lookup within the triangle reads the texel with its middle at p: whether the open square
-// of two by two texels around p, the support of its weight, overlaps the triangle. All in texels. Weights
-// below `rounding` do not count.
+// Returns whether a bilinear lookup within the triangle reads the texel with its middle at p: whether the
+// open square of two by two texels around p, the support of its weight, overlaps the triangle. All in texels.
+// Weights below `rounding` do not count.
 inline bool is_read_from(const std::array<glm::dvec2, 3>& t, const glm::dvec2& p, double rounding) {
   const auto reach = 1.0 - rounding;
   const auto low = glm::min(glm::min(t[0], t[1]), t[2]) - p;

@@ -47,8 +47,8 @@ struct Query : EmbreeContext {
   std::size_t count = 0;
 };
 
-// Whether a ray may enter a box before max_distance; the box is larger than what it holds by more than
-// rounding.
+// Returns whether a ray may enter a box before max_distance; the box is larger than what it holds by more
+// than rounding.
 bool may_enter(const Bounds& box, const Ray& ray, float max_distance) {
   float enters = 0.0f, leaves = max_distance;
   for (int axis = 0; axis < 3; ++axis) {

@@ -25,7 +25,7 @@ class Panes {
   explicit Panes(const PatchSet& patches);
 
   bool empty() const { return state_ == nullptr; }
-  // Whether any pane transmits bands differently.
+  // Returns whether any pane transmits bands differently.
   bool is_tinted() const { return is_tinted_; }
   // The weights of the bands in the luminous transmittance; their sum is 1. Those of luminance for white
   // light of equal power in all bands; among wavebands a tenth is spread evenly, so that none has weight 0.

@@ -31,10 +31,10 @@ PointSight sight_of(const PointLight& light, const Vec3d& point, const Vec3d& no
 PointSight sight_of(const PointLight& light, const Vec3d& point, const Vec3d& normal,
                     const std::array<double, 2>& u);
 
-// Whether the light is a luminaire whose opening has an extent.
+// Returns whether the light is a luminaire whose opening has an extent.
 bool has_opening(const PointLight& light);
 
-// Whether it is seen under an angle: a luminaire's opening, or the disc of a sun.
+// Returns whether it is seen under an angle: a luminaire's opening, or the disc of a sun.
 bool is_extended(const PointLight& light);
 
 // Radius of the sphere about its position that holds the light, m; 0 but of luminaires with openings.

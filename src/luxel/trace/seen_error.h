@@ -25,8 +25,8 @@ struct SeenSide {
   float squared_error = 0.0f;
 };
 
-// Whether nothing that the views see reflects: then irradiance stands for radiance, as if all reflectances
-// were 1, so that the light of black rooms has an error too.
+// Returns whether nothing that the views see reflects: then irradiance stands for radiance, as if all
+// reflectances were 1, so that the light of black rooms has an error too.
 bool reflects_nothing(const PatchSet& patches, const Views& views);
 
 // The light that arrives at one side, [band], W/m², and its squared error.

@@ -44,7 +44,7 @@ class CameraController {
   void zoom(float factor);
   // Treats all keys as released, for when another window receives their release.
   void release_keys() { down_ = {}; }
-  // Whether the cursor did not move while the last button was pressed.
+  // Returns whether the cursor did not move while the last button was pressed.
   bool is_click() const { return travel_ < 4.0f; }
   float speed() const { return speed_; }  // m/s
   Vec2 cursor() const { return cursor_; }

@@ -42,7 +42,7 @@ class CurrentSession {
   const SessionStatus& status() const { return snapshot_.status; }
   // Title of the displayed scene, else of the coming one.
   std::string title() const;
-  // Whether the solver works or a file is being read.
+  // Returns whether the solver works or a file is being read.
   bool is_busy() const;
 
   // Error sentences since the last call, in order.

@@ -26,7 +26,7 @@ class Exposure {
   // automatic and there is light.
   ToneCurve curve(const ToneOptions& options, bool automatic, const SessionLight* light, const SeenFrom& from,
                   double seconds);
-  // Whether the curve has come to rest.
+  // Returns whether the curve has come to rest.
   bool is_settled() const { return is_settled_; }
 
  private:

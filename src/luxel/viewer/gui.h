@@ -21,7 +21,7 @@ class Gui {
   void begin(double seconds);
   void draw();
 
-  // Whether the last event of its kind is for a panel, as the last frame had them.
+  // Returns whether the last event of its kind is for a panel, as the last frame had them.
   bool wants_mouse() const;
   bool wants_keys() const;
   bool is_typing() const;   // a cursor blinks in a line of text

@@ -84,7 +84,7 @@ class WindowLoop {
     return next ? std::clamp(*next - seconds_since(last_), 0.0, longest) : longest;
   }
 
-  // Whether a frame would show something new without user input.
+  // Returns whether a frame would show something new without user input.
   bool is_due() const {
     if (is_playing() || hidden_) return true;
     const auto next = viewer_.next_frame();

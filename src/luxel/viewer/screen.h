@@ -35,7 +35,7 @@ class Screen {
   virtual std::vector<Event> poll(double seconds) = 0;
   // While captured the cursor is hidden, and its movement is unlimited.
   virtual void capture_cursor(bool captured) = 0;
-  // Whether it is visible; pictures of a hidden window need not be made.
+  // Returns whether it is visible; pictures of a hidden window need not be made.
   virtual bool is_shown() const = 0;
   virtual void set_size(ScreenSize size) = 0;
   virtual void set_full_screen(bool full) = 0;

@@ -20,7 +20,7 @@ class ScriptPlayer {
   // cannot be done or is not as the script expects.
   void advance();
   bool is_done() const { return next_ == script_.actions.size() && !waits_; }
-  // Whether the next frame is compared or saved: with smooth edges and all published data.
+  // Returns whether the next frame is compared or saved: with smooth edges and all published data.
   bool wants_fine() const { return wants_fine_; }
 
  private:

@@ -15,7 +15,7 @@ namespace luxel {
 std::vector<float> side_values(Show show, bool lux, const PatchSet& patches, const SessionLight* light,
                                const LightDifference* difference);
 
-// Whether the numbers change with the light.
+// Returns whether the numbers change with the light.
 bool is_of_light(Show show);
 // Unit and heading of the legend: "lux", "W/m²", "m", "%", ...
 const char* unit_of(Show show, bool lux);

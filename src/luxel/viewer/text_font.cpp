@@ -18,7 +18,7 @@ constexpr std::array names = {"dejavu/DejaVuSans.ttf", "noto/NotoSans-Regular.tt
                               "liberation/LiberationSans-Regular.ttf",
                               "liberation2/LiberationSans-Regular.ttf", "open-sans/OpenSans-Regular.ttf"};
 
-// Whether the file begins as a TrueType font does: Dear ImGui ends the program at others.
+// Returns whether the file begins as a TrueType font does: Dear ImGui ends the program at others.
 bool is_true_type(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   char head[4] = {};

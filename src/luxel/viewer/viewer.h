@@ -96,7 +96,7 @@ class Viewer {
   // ---- What there is to wait for ----
   bool is_closing() const { return is_closing_; }
   bool has_view() const { return home_.is_known(); }
-  // Whether all published data are shown and nothing moves.
+  // Returns whether all published data are shown and nothing moves.
   bool is_at_rest() const;
   // Seconds from the last frame to the next useful one, unless an event comes: 0 while something moves, a
   // quarter of a second or more while the light is solved for a camera that stands still. Nothing: another
