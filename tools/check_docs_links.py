@@ -3,7 +3,8 @@
 """Checks that documents refer to things that exist: check_docs_links.py [ROOT].
 
 In each Markdown file, a link must lead to a file, and its anchor to a heading of that file; a source file named in
-backticks, as `solve/sampled.cpp`, must exist, below the root or one of FOLDERS. Each page of docs/ must be in the nav of
+backticks, as `solve/sampled.cpp`, must exist, below the root or one of FOLDERS, and so must a folder, as
+`src/luxel/solve`, or a file without its ending where the name begins at the root. Each page of docs/ must be in the nav of
 mkdocs.yml once, and each page of the nav must exist.
 Prints each violation as file:line: sentence. Exit status: 1 if there is one.
 """
@@ -20,10 +21,18 @@ NAV = "mkdocs.yml"
 NAV_PAGE = re.compile(r"^ *- [^:#]*: (\S+\.md)$", re.MULTILINE)
 SOURCE = re.compile(r"`([a-z_]+(?:/[a-z_]+)*\.(?:h|cpp|py|mjs|cmake))`")
 
+FOLDER = re.compile(r"`((?:src|include|tests|tools|examples|integrations)/[a-z_]+(?:/[a-z_]+)*)/?`")
+
 
 def without_code(text):
     """The text with fenced blocks blanked; line numbers stay."""
     return re.sub(r"^```.*?^```", lambda block: "\n" * block[0].count("\n"), text, flags=re.DOTALL | re.MULTILINE)
+
+
+def parents_of(file):
+    """All folders that a file is in."""
+    while file := os.path.dirname(file):
+        yield file
 
 
 def anchor_of(heading):
@@ -39,7 +48,7 @@ def violations_of(name, documents, files):
     """(line number, sentence) of each violation in a document. documents: text by name; files: the names of all files."""
     text = without_code(documents[name])
     names = {os.path.basename(file) for file in files}
-    folders = {os.path.dirname(file) for file in files}
+    folders = {parent for file in files for parent in parents_of(file)}
     for match in LINK.finditer(text):
         line = text.count("\n", 0, match.start()) + 1
         path, _, anchor = match[1].partition("#")
@@ -55,6 +64,9 @@ def violations_of(name, documents, files):
         exists = any(folder + source in files for folder in FOLDERS) if "/" in source else source in names
         if not exists:
             yield text.count("\n", 0, match.start()) + 1, f"`{source}`: there is no such file"
+    for match in FOLDER.finditer(text):
+        if match[1] not in folders and not any(file.startswith(match[1]) for file in files):
+            yield text.count("\n", 0, match.start()) + 1, f"`{match[1]}`: there is no such folder"
 
 
 def nav_violations(nav, files):

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.2 --error 10% ";
 
 TEST(Threads, that_cannot_be_started_are_done_without_and_the_bytes_are_the_same) {
+  without_leak_check();
   const auto folder = fresh_folder("no_threads");
   // A limit on processes does not bind the superuser.
   const std::string ordinary = ::geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups " : "";

@@ -30,6 +30,7 @@ inline double difference(const Image& a, const Image& b) {
 class View : public testing::Test {
  protected:
   void SetUp() override {
+    without_leak_check();
     folder_ = fresh_folder(testing::UnitTest::GetInstance()->current_test_info()->name());
     const auto tried = run("view.txt", "close\n", "--off-screen");
     if (tried.err.find("off screen") != std::string::npos) GTEST_SKIP() << tried.err;

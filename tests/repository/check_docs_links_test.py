@@ -26,6 +26,9 @@ class CheckDocsLinks(unittest.TestCase):
     def test_named_sources_exist(self):
         self.assertEqual(self.lines("`core/trig.h` and `trig.h`\n`core/sine.h`\n`sine.cpp`\n"), [2, 3])
 
+    def test_named_folders_exist(self):
+        self.assertEqual(self.lines("`src/luxel/core`, `src/luxel/`, `src/luxel/core/trig`\n`src/luxel/sine`\n"), [2])
+
     def test_each_page_is_in_the_nav_once(self):
         def lines(nav):
             return [line for line, _ in check_docs_links.nav_violations(nav, FILES | {"CHANGELOG.md"})]

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "luxel/core/bounds.h"
+
 namespace luxel {
 namespace {
 
@@ -13,15 +15,9 @@ constexpr double parallel_sine = 0.05;  // between lines that may be one
 constexpr double shortest_left = 4.0;   // in reach: what two lines leave of each other
 
 // The box of a line and its surroundings.
-struct Box {
-  Vec3d low, high;
-  Box(const EdgeShadow& s, double margin)
-      : low(glm::min(s.ends[0], s.ends[1]) - margin), high(glm::max(s.ends[0], s.ends[1]) + margin) {}
-  bool meets(const Box& other) const {
-    return low.x <= other.high.x && low.y <= other.high.y && low.z <= other.high.z && other.low.x <= high.x &&
-           other.low.y <= high.y && other.low.z <= high.z;
-  }
-};
+Box<Vec3d> box_around(const EdgeShadow& line, double margin) {
+  return {glm::min(line.ends[0], line.ends[1]) - margin, glm::max(line.ends[0], line.ends[1]) + margin};
+}
 
 // The interval of a part that lies within `distance` of another one, which is nearly parallel.
 Interval covered(const EdgeShadow& part, const EdgeShadow& by, double distance) {
@@ -42,9 +38,9 @@ Interval covered(const EdgeShadow& part, const EdgeShadow& by, double distance) 
 
 // Returns the parts of a line that the other lines do not cover.
 std::vector<EdgeShadow> left_of(const EdgeShadow& part, const std::vector<EdgeShadow>& others,
-                                const std::vector<Box>& boxes, double reach) {
+                                const std::vector<Box<Vec3d>>& boxes, double reach) {
   std::vector<EdgeShadow> left{part};
-  const Box box(part, beside * reach);
+  const auto box = box_around(part, beside * reach);
   for (std::size_t i = 0; i < others.size() && !left.empty(); ++i) {
     if (!box.meets(boxes[i])) continue;
     std::vector<EdgeShadow> next;
@@ -78,11 +74,11 @@ std::vector<EdgeShadow> without_doubles(std::vector<EdgeShadow> parts, double re
   std::stable_sort(parts.begin(), parts.end(),
                    [](const EdgeShadow& a, const EdgeShadow& b) { return a.weight > b.weight; });
   std::vector<EdgeShadow> result;
-  std::vector<Box> boxes;
+  std::vector<Box<Vec3d>> boxes;
   for (const auto& part : parts)
     for (const auto& left : left_of(part, result, boxes, reach)) {
       result.push_back(left);
-      boxes.emplace_back(left, beside * reach);
+      boxes.push_back(box_around(left, beside * reach));
     }
   return result;
 }

@@ -11,12 +11,10 @@ constexpr std::uint32_t leaf_size = 4;
 constexpr std::size_t items_grain = 1 << 14;
 constexpr std::uint32_t task_boxes = 1 << 13;  // a node of at most this many boxes is one task
 
-bool overlap(const Bounds& a, const Bounds& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
+Bounds joined(Bounds a, const Bounds& b) {
+  a.add(b);
+  return a;
 }
-
-Bounds join(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
 // The nodes of a tree over this many boxes.
 std::uint32_t tree_size(std::uint32_t count) {
@@ -72,7 +70,7 @@ void OverlappingPairs::build(std::span<Item> items, const Context& context) {
   }
   context.for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t, int) { build_below(tasks[i], items); });
   for (auto n = large_nodes.rbegin(); n != large_nodes.rend(); ++n)
-    nodes_[*n].box = join(nodes_[*n + 1].box, nodes_[nodes_[*n].right].box);
+    nodes_[*n].box = joined(nodes_[*n + 1].box, nodes_[nodes_[*n].right].box);
 }
 
 // Creates the node's children and their boxes; the children's tree sizes are set later.
@@ -103,7 +101,7 @@ void OverlappingPairs::build_below(std::uint32_t number, std::span<Item> items) 
     cut_in_half(number, items);
     build_below(number + 1, items);
     build_below(node.right, items);
-    node.box = join(nodes_[number + 1].box, nodes_[node.right].box);
+    node.box = joined(nodes_[number + 1].box, nodes_[node.right].box);
     return;
   }
   const auto own = items.subspan(node.first, node.count);
@@ -111,7 +109,7 @@ void OverlappingPairs::build_below(std::uint32_t number, std::span<Item> items) 
   for (std::uint32_t i = 0; i < node.count; ++i) {
     index_[node.first + i] = own[i].index;
     boxes_[node.first + i] = own[i].box;
-    node.box = join(node.box, boxes_[node.first + i]);
+    node.box.add(boxes_[node.first + i]);
   }
 }
 
@@ -134,7 +132,7 @@ void OverlappingPairs::descend(const NodePair& pair, std::vector<NodePair>& open
   const auto& a = nodes_[i];
   const auto& b = nodes_[j];
   const auto push = [&](std::uint32_t k, std::uint32_t l) {
-    if (k == l || overlap(nodes_[k].box, nodes_[l].box)) open.push_back({k, l});
+    if (k == l || nodes_[k].box.meets(nodes_[l].box)) open.push_back({k, l});
   };
   if (i == j) {
     push(i + 1, i + 1);
@@ -156,12 +154,12 @@ void OverlappingPairs::meet_in_leaf(const Node& leaf, const Visit& visit) const 
 
 void OverlappingPairs::meet_in_leaves(const Node& a, const Node& b, const Visit& visit) const {
   for (auto i = a.first; i < a.first + a.count; ++i)
-    if (overlap(boxes_[i], b.box))
+    if (boxes_[i].meets(b.box))
       for (auto j = b.first; j < b.first + b.count; ++j) meet(i, j, visit);
 }
 
 void OverlappingPairs::meet(std::uint32_t i, std::uint32_t j, const Visit& visit) const {
-  if (overlap(boxes_[i], boxes_[j])) visit(std::min(index_[i], index_[j]), std::max(index_[i], index_[j]));
+  if (boxes_[i].meets(boxes_[j])) visit(std::min(index_[i], index_[j]), std::max(index_[i], index_[j]));
 }
 
 }  // namespace luxel

@@ -47,12 +47,14 @@ FlatCover::FlatCover(const Point& low, const Point& high, std::size_t count) : l
 
 std::size_t FlatCover::cell_of(double x) const { return static_cast<std::size_t>(std::max(0.0, x) / cell_); }
 
-FlatCover::Box FlatCover::box_of(const Triangle& t) {
-  return {glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2])};
+Box<Point> FlatCover::box_of(const Triangle& t) {
+  Box<Point> box;
+  for (const auto& p : t) box.add(p);
+  return box;
 }
 
 template <typename Body>
-void FlatCover::for_cells(const Box& box, const Body& body) {
+void FlatCover::for_cells(const Box<Point>& box, const Body& body) {
   const auto low = box.low - low_, high = box.high - low_;
   for (auto y = cell_of(low.y); y <= std::min(cell_of(high.y), height_ - 1); ++y)
     for (auto x = cell_of(low.x); x <= std::min(cell_of(high.x), width_ - 1); ++x)
@@ -77,7 +79,7 @@ bool FlatCover::add(const Triangle& t) {
 
 void FlatCover::put(const Triangle& t) { put(t, box_of(t)); }
 
-void FlatCover::put(const Triangle& t, const Box& box) {
+void FlatCover::put(const Triangle& t, const Box<Point>& box) {
   for_cells(box, [&](auto& cell) { cell.push_back(static_cast<std::uint32_t>(triangles_.size())); });
   triangles_.push_back(t);
   boxes_.push_back(box);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "luxel/core/bounds.h"
 #include "luxel/core/none.h"
 #include "luxel/core/vector.h"
 
@@ -26,21 +27,18 @@ class FlatCover {
   std::uint32_t at(const glm::dvec2& place) const;
 
  private:
-  struct Box {
-    glm::dvec2 low, high;
-  };
   std::size_t cell_of(double x) const;
   template <typename Body>
-  void for_cells(const Box& box, const Body& body);
-  void put(const Triangle& t, const Box& box);
-  static Box box_of(const Triangle& t);
+  void for_cells(const Box<glm::dvec2>& box, const Body& body);
+  void put(const Triangle& t, const Box<glm::dvec2>& box);
+  static Box<glm::dvec2> box_of(const Triangle& t);
 
   glm::dvec2 low_;
   double tolerance_ = 0.0, cell_ = 1.0;
   std::size_t width_ = 1, height_ = 1;  // in cells
   std::vector<std::vector<std::uint32_t>> cells_;
   std::vector<Triangle> triangles_;
-  std::vector<Box> boxes_;  // of the triangles
+  std::vector<Box<glm::dvec2>> boxes_;  // of the triangles
 };
 
 }  // namespace luxel

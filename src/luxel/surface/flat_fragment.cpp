@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "luxel/core/bounds.h"
 #include "luxel/core/convex_hull.h"
 #include "luxel/patch/side.h"
 #include "luxel/surface/cross.h"
@@ -16,15 +16,6 @@ namespace {
 using Point = glm::dvec2;
 using Triangle = FlatCover::Triangle;
 
-struct Box {
-  Point low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  void add(const Point& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  Point size() const { return high - low; }
-};
-
 // Counter-clockwise.
 std::vector<Point> convex_hull(std::vector<Point> points) {
   const auto before = [](const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
@@ -34,8 +25,8 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
       points, [](const Point& a, const Point& b, const Point& c) { return cross(b - a, c - b) > 0.0; });
 }
 
-Box box_along(const std::vector<Point>& points, const Point& axis) {
-  Box box;
+Box<Point> box_along(const std::vector<Point>& points, const Point& axis) {
+  Box<Point> box;
   for (const auto& p : points) box.add({glm::dot(p, axis), cross(axis, p)});
   return box;
 }
@@ -122,7 +113,7 @@ Chart flat_chart(const PatchSet& patches, std::vector<SideId> sides, const Vec3d
 
 Placed without_overlaps(const PatchSet& patches, std::span<const SideId> sides, const Vec3d& direction) {
   const auto axes = axes_across(direction);
-  Box box;
+  Box<Point> box;
   for (const auto side : sides)
     for (const auto& p : on_plane(patches, axes, side)) box.add(p);
   Placed result;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "luxel/core/barycentric.h"
+#include "luxel/core/bounds.h"
 #include "luxel/core/disjoint_sets.h"
 #include "luxel/patch/side.h"
 
@@ -34,10 +35,12 @@ ShortEdge short_edge(const PatchSet& patches, std::size_t patch) {
 class Groups {
  public:
   Groups(const PatchSet& patches, const SideNodes& nodes)
-      : patches_(patches), nodes_(nodes), sets_(nodes.size()), boxes_(nodes.size()) {
+      : patches_(patches), nodes_(nodes), sets_(nodes.size()), boxes_(nodes.size()), vertex_(nodes.size()) {
     for (std::uint32_t v = 0; v < patches.vertices.size(); ++v)
-      for (auto node = nodes.first[v]; node < nodes.first[v + 1]; ++node)
-        boxes_[node] = {patches.vertices[v], patches.vertices[v], v};
+      for (auto node = nodes.first[v]; node < nodes.first[v + 1]; ++node) {
+        boxes_[node].add(patches.vertices[v]);
+        vertex_[node] = v;
+      }
     for (std::size_t p = 0; p < patches.size(); ++p)
       if (const auto edge = short_edge(patches, p); edge.longest > 0.0f)
         for (const bool back : {false, true}) join({p, back}, edge);
@@ -62,14 +65,9 @@ class Groups {
     }
   }
 
-  const Vec3& vertex_of(std::uint32_t node) const { return patches_.vertices[boxes_[node].vertex]; }
+  const Vec3& vertex_of(std::uint32_t node) const { return patches_.vertices[vertex_[node]]; }
 
  private:
-  struct Box {
-    Vec3 low{0.0f}, high{0.0f};
-    std::uint32_t vertex = 0;
-  };
-
   bool is_flat(std::uint32_t node, const Vec3& normal) const {
     const auto members = nodes_.at(node);
     return std::all_of(members.begin(), members.end(), [&](const SideNodes::Member& m) {
@@ -83,18 +81,18 @@ class Groups {
     const auto normal = patches_.normal_of(side);
     if (!is_flat(ends[0], normal) || !is_flat(ends[1], normal)) return;
     const auto a = sets_.of(ends[0]), b = sets_.of(ends[1]);
-    const auto low = glm::min(boxes_[a].low, boxes_[b].low), high = glm::max(boxes_[a].high, boxes_[b].high);
-    if (glm::distance(low, high) > max_width * edge.longest) return;
+    auto box = boxes_[a];
+    box.add(boxes_[b]);
+    if (glm::distance(box.low, box.high) > max_width * edge.longest) return;
     sets_.join(a, b);
-    auto& box = boxes_[sets_.of(a)];
-    box.low = low;
-    box.high = high;
+    boxes_[sets_.of(a)] = box;
   }
 
   const PatchSet& patches_;
   const SideNodes& nodes_;
   DisjointSets sets_;
-  std::vector<Box> boxes_;  // [node], of its group where it is the lowest of it; its own vertex
+  std::vector<Bounds> boxes_;          // [node], of its group where it is the lowest of it
+  std::vector<std::uint32_t> vertex_;  // [node]
 };
 
 }  // namespace

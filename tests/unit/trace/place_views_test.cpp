@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/core/bounds.h"
 #include "luxel/core/error.h"
 #include "luxel/patch/focus.h"
 #include "luxel/patch/make_patches.h"
@@ -12,15 +13,12 @@
 namespace luxel {
 namespace {
 
-struct Box {
-  Vec3 low, high;
-  bool contains(const Vec3& p) const {
-    return glm::all(glm::greaterThan(p, low)) && glm::all(glm::lessThan(p, high));
-  }
-};
+bool is_inside(const Bounds& box, const Vec3& p) {
+  return glm::all(glm::greaterThan(p, box.low)) && glm::all(glm::lessThan(p, box.high));
+}
 
 // The six walls of a box, facing inwards; without the wall at the lowest x where it is open.
-void add_box(truth::SceneBuilder& b, const Box& box, bool is_open = false) {
+void add_box(truth::SceneBuilder& b, const Bounds& box, bool is_open = false) {
   const auto [l, h] = box;
   b.quad({l.x, l.y, l.z}, {h.x, l.y, l.z}, {h.x, h.y, l.z}, {l.x, h.y, l.z});
   b.quad({l.x, h.y, h.z}, {h.x, h.y, h.z}, {h.x, l.y, h.z}, {l.x, l.y, h.z});
@@ -31,7 +29,7 @@ void add_box(truth::SceneBuilder& b, const Box& box, bool is_open = false) {
 }
 
 // A square lamp that shines down, of a tenth of the box, near its ceiling.
-void add_lamp(truth::SceneBuilder& b, const Box& box) {
+void add_lamp(truth::SceneBuilder& b, const Bounds& box) {
   const auto middle = 0.5f * (box.low + box.high);
   const auto half = 0.05f * (box.high - box.low);
   const auto z = box.high.z - 0.02f * (box.high.z - box.low.z);
@@ -58,10 +56,10 @@ Placed place(const Scene& scene, int threads = 2) {
   return placed;
 }
 
-double weight_in(const Views& views, const Box& box) {
+double weight_in(const Views& views, const Bounds& box) {
   double sum = 0.0;
   for (std::size_t v = 0; v < views.size(); ++v)
-    if (box.contains(views.eye[v])) sum += static_cast<double>(views.weight[v]);
+    if (is_inside(box, views.eye[v])) sum += static_cast<double>(views.weight[v]);
   return sum;
 }
 
@@ -70,7 +68,7 @@ Scene with_sky(Scene scene) {
   return scene;
 }
 
-const Box hall{{0, 0, 0}, {10, 10, 4}};
+const Bounds hall{{0, 0, 0}, {10, 10, 4}};
 
 TEST(PlaceViews, a_closed_room_with_a_lamp_is_one_place_and_all_its_views_are_inside) {
   truth::SceneBuilder b;
@@ -85,7 +83,7 @@ TEST(PlaceViews, a_closed_room_with_a_lamp_is_one_place_and_all_its_views_are_in
 }
 
 TEST(PlaceViews, a_sealed_box_in_a_room_has_none_inside) {
-  const Box crate{{4, 4, 0.5f}, {7, 7, 3.5f}};
+  const Bounds crate{{4, 4, 0.5f}, {7, 7, 3.5f}};
   truth::SceneBuilder b;
   b.material("walls", 0.5f, 0.0f);
   add_box(b, hall);
@@ -110,8 +108,8 @@ TEST(PlaceViews, a_dark_room_is_open_space_where_a_camera_stands_in_it) {
 }
 
 TEST(PlaceViews, two_rooms_of_very_different_size_weigh_alike) {
-  const Box hangar{{20, 0, 0}, {100, 80, 30}};
-  const Box closet{{0, 0, 0}, {1.5f, 1.5f, 2.5f}};
+  const Bounds hangar{{20, 0, 0}, {100, 80, 30}};
+  const Bounds closet{{0, 0, 0}, {1.5f, 1.5f, 2.5f}};
   truth::SceneBuilder b;
   b.material("walls", 0.5f, 0.0f);
   add_box(b, hangar);
@@ -127,7 +125,7 @@ TEST(PlaceViews, two_rooms_of_very_different_size_weigh_alike) {
 TEST(PlaceViews, a_block_of_flats_weighs_by_flat) {
   truth::SceneBuilder b;
   b.material("walls", 0.5f, 0.0f);
-  std::vector<Box> flats;
+  std::vector<Bounds> flats;
   for (int i = 0; i < 12; ++i) {
     const auto x = 20.0f * static_cast<float>(i);
     const auto size = 3.0f + 1.0f * static_cast<float>(i % 4);
@@ -151,7 +149,7 @@ TEST(PlaceViews, a_plate_under_a_sky_is_seen_from_above_and_below) {
 }
 
 TEST(PlaceViews, a_small_house_in_a_wide_landscape_weighs_about_as_much_as_the_landscape) {
-  const Box house{{0, 0, 0.1f}, {5, 4, 3}};
+  const Bounds house{{0, 0, 0.1f}, {5, 4, 3}};
   truth::SceneBuilder b;
   add_ground(b, 1000.0f);
   b.material("walls", 0.6f, 0.0f);
