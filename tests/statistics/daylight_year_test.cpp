@@ -79,11 +79,11 @@ TEST(DaylightYearStatistics, intervals_of_means_over_points_hold_the_truth) {
   const auto skies = skies_of_year(weather, sky, albedo);
   auto scene = truth::window_room().scene();
   set_only_sky(sky, mean_sky(skies), scene);
-  const auto patches = make_patches(scene, {.max_edge = 1.0f});
+  auto patches = make_patches(scene, {.max_edge = 1.0f});
+  patches.portals = truth::window_portals();
   const Context context;
   const Tracer tracer(patches, context);
   const auto points = nine_points();
-  const auto openings = truth::window_portals();
   const auto windows = all_windows(0.05);
   std::vector<Quantity> quantities = {
       {"daylight_factor", [](const auto& f, const auto&) { return f.mean; }, {}},
@@ -96,7 +96,7 @@ TEST(DaylightYearStatistics, intervals_of_means_over_points_hold_the_truth) {
     options.error_measure = ErrorMeasure::power;
     options.seed = static_cast<std::uint64_t>(run + 1);
     const auto state = truth::stored_run(patches, tracer, options, context).state;
-    const auto coefficients = find_coefficients({patches, *state, options, openings}, tracer, points,
+    const auto coefficients = find_coefficients({patches, *state, options}, tracer, points,
                                                 {.rays = 256, .seed = options.seed}, context);
     const DaylightYear year({coefficients, windows}, skies, coefficients.origins,
                             {patches, tracer, options.seed}, context);

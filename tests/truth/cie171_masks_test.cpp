@@ -143,9 +143,7 @@ class Coefficients {
     const SkyPatches sky(4, Vec3d(0, 0, 1), Vec3d(0, 1, 0));
     set_only_sky(sky, luminances(sky, 16), scene);
     patches_ = make_patches(scene, {.max_edge = no_max_edge});
-    auto with_openings = patches_;
-    set_portals(scene, with_openings, context_);
-    openings_ = with_openings.portals;
+    set_portals(scene, patches_, context_);
     tracer_ = std::make_unique<Tracer>(patches_, context_);
     Solution solution;
     const SolveHooks hooks{.from = {},
@@ -154,8 +152,8 @@ class Coefficients {
     solve_sampled(patches_, *tracer_, solution, options_, hooks, context_);
   }
   DaylightCoefficients found(std::uint64_t seed) const {
-    return find_coefficients({patches_, *state_, options_, openings_}, *tracer_, points_,
-                             {.rays = 16384, .seed = seed}, context_);
+    return find_coefficients({patches_, *state_, options_}, *tracer_, points_, {.rays = 16384, .seed = seed},
+                             context_);
   }
   static std::vector<double> luminances(const SkyPatches& sky, int type) {
     const auto elevation = std::numbers::pi / 3.0;
@@ -167,7 +165,6 @@ class Coefficients {
   Context context_{2};
   std::vector<ProbePoint> points_;
   PatchSet patches_;
-  std::vector<Portal> openings_;
   std::unique_ptr<Tracer> tracer_;
   SampledOptions options_{.error = 0.01, .error_measure = ErrorMeasure::power};
   std::shared_ptr<const SampleState> state_;

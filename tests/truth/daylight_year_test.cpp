@@ -50,15 +50,16 @@ struct Solved {
   }
 
   DaylightCoefficients coefficients(std::uint32_t rays = 32768) const {
-    return find_coefficients({patches, *state, options, truth::window_portals()}, tracer, points,
-                             {.rays = rays, .seed = 1}, context);
+    return find_coefficients({patches, *state, options}, tracer, points, {.rays = rays, .seed = 1}, context);
   }
 
  private:
   static PatchSet made(const SkyPatches& sky, const std::vector<double>& luminance) {
     auto scene = truth::window_room().scene();
     set_only_sky(sky, luminance, scene);
-    return make_patches(scene, {.max_edge = 0.5f});
+    auto patches = make_patches(scene, {.max_edge = 0.5f});
+    patches.portals = truth::window_portals();
+    return patches;
   }
 };
 
@@ -119,7 +120,9 @@ TEST(DaylightCoefficients, in_a_black_box_are_the_sky_component) {
   const SkyPatches sky(4, zenith, north);
   auto scene = b.scene();
   set_only_sky(sky, overcast(sky), scene);
-  const auto patches = make_patches(scene, {.max_edge = no_max_edge});
+  auto patches = make_patches(scene, {.max_edge = no_max_edge});
+  patches.portals = {{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 1)}, false},
+                     {{Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(1, 0, 0)}, false}};
   const Context context;
   const Tracer tracer(patches, context);
   Solution solution;
@@ -129,11 +132,9 @@ TEST(DaylightCoefficients, in_a_black_box_are_the_sky_component) {
                          .keep = [&](std::shared_ptr<const SampleState> s) { state = std::move(s); },
                          .on_light = {}};
   solve_sampled(patches, tracer, solution, options, hooks, context);
-  const std::vector<Portal> window = {{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 1)}, false},
-                                      {{Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(1, 0, 0)}, false}};
   const std::vector<ProbePoint> point = {{{0.0f, 1.0f, 0.0f}, up}};
-  const auto found = find_coefficients({patches, *state, options, window}, tracer, point,
-                                       {.rays = 1u << 18, .seed = 1}, context);
+  const auto found =
+      find_coefficients({patches, *state, options}, tracer, point, {.rays = 1u << 18, .seed = 1}, context);
   const auto factors = daylight_factors(found, 16, 0.0);
   EXPECT_NEAR(double{factors.value[0]}, 0.04525138, sigmas * double{factors.standard_error[0]} + 5e-5);
   EXPECT_LT(double{factors.standard_error[0]}, 0.001);

@@ -49,18 +49,15 @@ Scene two_windows(bool west_is_dark, bool east_is_dark) {
 // A finished run, and its coefficients.
 struct WindowedRoom {
   Scene scene;
-  PatchSet patches;
   Context context{2};
+  PatchSet patches;
   Tracer tracer;
-  std::vector<Portal> openings;
   std::shared_ptr<const SampleState> state;
   SampledOptions options;
   DaylightCoefficients open;
 
-  explicit WindowedRoom(Scene of) : scene(std::move(of)), patches(made(scene)), tracer(patches, context) {
-    auto found = patches;
-    set_portals(scene, found, context);
-    openings = found.portals;
+  explicit WindowedRoom(Scene of)
+      : scene(std::move(of)), patches(made(scene, context)), tracer(patches, context) {
     options.error = 0.02;
     options.ray_budget = 4'000'000;
     options.error_measure = ErrorMeasure::power;
@@ -68,7 +65,7 @@ struct WindowedRoom {
     open = find_coefficients(run(), tracer, points, how, context);
   }
 
-  DaylightRun run() const { return {patches, *state, options, openings}; }
+  DaylightRun run() const { return {patches, *state, options}; }
   WindowLight windows() const {
     return find_window_light({run(), open, points}, tracer, groups, panes_of_groups(scene, patches, groups),
                              how, context);
@@ -77,7 +74,11 @@ struct WindowedRoom {
   const CoefficientOptions how{.rays = 16384, .seed = 1};
 
  private:
-  static PatchSet made(const Scene& scene) { return make_patches(scene, {.max_edge = 0.5f}); }
+  static PatchSet made(const Scene& scene, const Context& context) {
+    auto patches = make_patches(scene, {.max_edge = 0.5f});
+    set_portals(scene, patches, context);
+    return patches;
+  }
 };
 
 void expect_same_factors(const DaylightCoefficients& a, const DaylightCoefficients& b,

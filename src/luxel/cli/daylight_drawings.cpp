@@ -115,7 +115,7 @@ std::optional<MetricGround> DaylightDrawings::ground_of(const ProbeSettings& pla
   ground.grid = rectangular_grid(cells->corner, cells->first, cells->second, cells->columns, cells->rows);
   ground.plan = plan_of(patches, ground.grid, lift);
   std::vector<Vec3d> corners;
-  for (const auto& portal : answer.transport->openings)
+  for (const auto& portal : patches.portals)
     for (const auto& corner : portal.corner) corners.push_back(patches.in_file(corner));
   ground.openings = openings_of(ground.grid, corners);
   const auto way = answer.sky.north();

@@ -120,20 +120,33 @@ void DirectLight::for_each_term(const Side& side, const LampChoices& choices, co
   }
 }
 
-std::vector<ShadowRay> DirectLight::rays_of(SideId side_id, std::uint32_t position, std::uint32_t round,
-                                            std::uint32_t per_replicate) const {
+template <typename Body>
+void DirectLight::for_each_term(SideId side_id, const Samples& samples, LampRayEnds* ends, Body body) const {
   const auto side = start_on(side_id);
   LampChoices choices;
-  choose_lamps(choices, side, options_.replicates * per_replicate);
+  choose_lamps(choices, side, options_.replicates * samples.per_replicate);
+  if (!choices.empty()) for_each_term(side, choices, samples, ends, body);
+}
+
+std::vector<ShadowRay> DirectLight::rays_of(SideId side_id, std::uint32_t position, std::uint32_t round,
+                                            std::uint32_t per_replicate) const {
   std::vector<ShadowRay> rays;
-  if (choices.empty()) return rays;
   LampRayEnds ends;
-  for_each_term(side, choices, {position, round, per_replicate}, &ends,
-                [&](std::uint32_t r, const LampTerm& term) {
-                  if (term.given > 0.0)
-                    rays.push_back({r, term.lamp, ends.from, ends.to, term.given, term.seen > 0.0});
-                });
+  for_each_term(side_id, {position, round, per_replicate}, &ends, [&](std::uint32_t r, const LampTerm& term) {
+    if (term.given > 0.0) rays.push_back({r, term.lamp, ends.from, ends.to, term.given, term.seen > 0.0});
+  });
   return rays;
+}
+
+std::vector<SkySample> DirectLight::sky_samples(SideId side_id, std::uint32_t position, std::uint32_t round,
+                                                std::uint32_t per_replicate) const {
+  std::vector<SkySample> samples;
+  for_each_term(side_id, {position, round, per_replicate}, nullptr,
+                [&](std::uint32_t r, const LampTerm& term) {
+                  if (term.given * term.seen > 0.0 && lamps_.triangles()[term.lamp].is_portal())
+                    samples.push_back({r, term.sky_patch, term.given * term.seen});
+                });
+  return samples;
 }
 
 std::uint64_t DirectLight::estimate(SideId side_id, std::uint32_t position, std::uint32_t round,

@@ -25,6 +25,13 @@ struct ShadowRay {
   bool seen = false;
 };
 
+// One sample of the sky through a portal that sees it.
+struct SkySample {
+  std::uint32_t replicate = 0;
+  std::uint32_t sky_patch = 0;  // see PatchSet::sky_patches
+  double irradiance = 0.0;      // at unit radiance, sr: by the luminous transmittance of panes on the way
+};
+
 struct DirectOptions {
   std::uint64_t seed = 1;
   std::uint32_t replicates = 8;
@@ -72,6 +79,11 @@ class DirectLight {
   std::vector<ShadowRay> rays_of(SideId side_id, std::uint32_t position, std::uint32_t round,
                                  std::uint32_t per_replicate) const;
 
+  // Those of such an estimate that see the sky through a portal, in the order in which they are taken. The
+  // mean over all samples of a replicate is the light of the sky, without the control variate.
+  std::vector<SkySample> sky_samples(SideId side_id, std::uint32_t position, std::uint32_t round,
+                                     std::uint32_t per_replicate) const;
+
  private:
   struct Side;
   // Samples of a side to take, as in estimate().
@@ -85,6 +97,9 @@ class DirectLight {
   template <typename Body>
   void for_each_term(const Side& side, const LampChoices& choices, const Samples& samples, LampRayEnds* ends,
                      Body body) const;
+  // The same with the lamps chosen for the side and this number of samples.
+  template <typename Body>
+  void for_each_term(SideId side_id, const Samples& samples, LampRayEnds* ends, Body body) const;
 
   const PatchSet& patches_;
   const Tracer& tracer_;

@@ -8,6 +8,7 @@
 
 #include "luxel/core/none.h"
 #include "luxel/lighting/point_rays.h"
+#include "luxel/lighting/portal_sky.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/solve/replicate_solve.h"
 #include "luxel/solve/sampling.h"
@@ -58,6 +59,7 @@ class BlockSolver {
       : patches_(patches),
         sampling_(sampling),
         transport_(sampling.transport()),
+        through_portals_(sampling, context),
         scattering_(luminous_scattering(patches, sampling.hits().sides())),
         context_(context) {}
 
@@ -67,12 +69,11 @@ class BlockSolver {
     const auto& hits = sampling_.hits();
     const auto receivers = hits.sides().size();
     // Each patch has the radiance of the mean sky, so that the noise of the block is that of its light.
-    std::vector<float> radiosity((receivers + transport_->elements()) * columns, 0.0f), scale(columns);
+    std::vector<float> radiosity((receivers + transport_->elements()) * columns, 0.0f), radiance(columns);
     for (std::size_t c = 0; c < columns; ++c) {
-      const auto own = mean_radiance(first + c);
-      scale[c] = 1.0f / own;
+      radiance[c] = mean_radiance(first + c);
       const auto shine = [&](std::size_t sink) {
-        radiosity[(receivers + sink) * columns + c] = static_cast<float>(std::numbers::pi) * own;
+        radiosity[(receivers + sink) * columns + c] = static_cast<float>(std::numbers::pi) * radiance[c];
       };
       shine(hits.escaped(first + c));
       // Rays through tinted panes are as many as their luminous part is, whatever their tint.
@@ -80,13 +81,13 @@ class BlockSolver {
     }
     const ScatteringTable in_columns{repeated(scattering_.reflectance, columns),
                                      repeated(scattering_.transmittance, columns), scattering_.far};
-    const std::vector<std::vector<float>> direct(hits.replicates(),
-                                                 std::vector<float>(receivers * columns, 0.0f));
+    const auto direct = through_portals_.irradiance(first, radiance, context_);
     auto light = solve_replicates(*transport_, direct, in_columns, radiosity, tolerance, context_);
     if (light.is_stopped) return {};
-    for (auto& replicate : light.gathered)
+    for (std::size_t r = 0; r < light.gathered.size(); ++r)
       context_.for_chunks(receivers, 4096, [&](std::size_t begin, std::size_t end, int) {
-        for (auto i = begin * columns; i < end * columns; ++i) replicate[i] *= scale[i % columns];
+        for (auto i = begin * columns; i < end * columns; ++i)
+          light.gathered[r][i] = (light.gathered[r][i] + direct[r][i]) / radiance[i % columns];
       });
     return std::move(light.gathered);
   }
@@ -102,6 +103,7 @@ class BlockSolver {
   const PatchSet& patches_;
   const Sampling& sampling_;
   std::unique_ptr<const SampledOperator> transport_;
+  PortalSky through_portals_;
   ScatteringTable scattering_;
   const Context& context_;
 };
@@ -119,13 +121,13 @@ DaylightCoefficients find_coefficients(const DaylightRun& run, const Tracer& tra
   else
     sampling.restore(run.state);
   const auto& sides = sampling.hits().sides();
-  const PointRays rays(patches, run.openings, tracer, sides, run.state.replicates, options);
+  const PointRays rays(patches, tracer, sides, run.state.replicates, options);
 
   DaylightCoefficients found;
   found.sky = patches.sky_patches;
   found.points = points.size();
   found.replicates = run.state.replicates;
-  found.knows_openings = !run.openings.empty();
+  found.knows_openings = !patches.portals.empty();
   const auto width = found.sky.size();
   for (auto& part : found.of) part.assign(points.size() * found.replicates * width, 0.0f);
   std::vector<PointHits> hits(points.size());

@@ -42,13 +42,12 @@ struct DaylightCoefficients {
   }
 };
 
-// A finished run of solve_sampled() under a sky of patches, without lamps and portals.
+// A finished run of solve_sampled() under a sky of patches, without lamps. Portals part outside from inside,
+// and guide the rays of surfaces and points.
 struct DaylightRun {
   const PatchSet& patches;
   const SampleState& state;
   const SampledOptions& options;
-  // The portals of the scene; they guide the rays of points, and part outside from inside.
-  const std::vector<Portal>& openings;
   // The patches differ from those of the run in their panes, through which its rays are traced again.
   bool traces_again = false;
 };
@@ -58,9 +57,9 @@ struct CoefficientOptions {
   std::uint64_t seed = 1;
 };
 
-// From the rays of a finished run, without a further ray of the surfaces: the hits of the run are the
-// transport between them, and rays that escaped are sorted by the patch of the sky that they met. The points
-// have rays of their own. Each patch of the sky is one right-hand side of
+// From the rays of a finished run: its hits are the transport between surfaces, and rays that escaped are
+// sorted by the patch of the sky that they met; those through portals are traced again for it (PortalSky).
+// The points have rays of their own. Each patch of the sky is one right-hand side of
 //
 //     H = T + F (rho H),    T: the light straight from the patch,
 //

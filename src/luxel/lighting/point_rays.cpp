@@ -13,12 +13,6 @@
 namespace luxel {
 namespace {
 
-PatchSet patches_with(const PatchSet& patches, const std::vector<Portal>& openings) {
-  auto with = patches;
-  with.portals = openings;
-  return with;
-}
-
 // A solution without light, for the choice of the side to which a point on a surface is moved.
 Solution dark(const PatchSet& patches) {
   Solution s;
@@ -30,24 +24,24 @@ Solution dark(const PatchSet& patches) {
 
 }  // namespace
 
-PointRays::PointRays(const PatchSet& patches, const std::vector<Portal>& openings, const Tracer& tracer,
-                     const GatherSides& sides, std::uint32_t replicates, const CoefficientOptions& options)
-    : with_openings_(patches_with(patches, openings)),
+PointRays::PointRays(const PatchSet& patches, const Tracer& tracer, const GatherSides& sides,
+                     std::uint32_t replicates, const CoefficientOptions& options)
+    : patches_(patches),
       tracer_(tracer),
       sides_(sides),
       replicates_(replicates),
       options_(options),
-      lamps_(with_openings_),
-      lamp_rays_(with_openings_, tracer, lamps_, false),
+      lamps_(patches),
+      lamp_rays_(patches, tracer, lamps_, false),
       dark_(dark(patches)),
       tolerance_(surface_tolerance(patches)) {}
 
 PointHits PointRays::trace(const ProbePoint& point, std::uint32_t index, std::span<float> sky,
                            std::span<float> external) const {
-  const auto origin = origin_of(with_openings_, dark_, tracer_, point, tolerance_).rays;
+  const auto origin = origin_of(patches_, dark_, tracer_, point, tolerance_).rays;
   const auto& portals = lamp_rays_.portals();
   const auto& panes = lamp_rays_.panes();
-  const auto& directions = with_openings_.sky_patches;
+  const auto& directions = patches_.sky_patches;
   const auto width = directions.size();
   const auto per_replicate = std::max(1u, options_.rays / replicates_);
   const auto weight = 1.0f / static_cast<float>(per_replicate);

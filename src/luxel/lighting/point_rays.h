@@ -30,14 +30,14 @@ struct PointHits {
   }
 };
 
-// The rays of points: by the cosine, and towards the openings of the scene, through which the sky is seen
+// The rays of points: by the cosine, and towards the portals of the scene, through which the sky is seen
 // (the sky beside them is found by cosine rays). In independent replicates of Owen-scrambled Sobol points.
 // Immutable; safe for any number of threads.
 class PointRays {
  public:
-  // Keeps references to tracer and sides.
-  PointRays(const PatchSet& patches, const std::vector<Portal>& openings, const Tracer& tracer,
-            const GatherSides& sides, std::uint32_t replicates, const CoefficientOptions& options);
+  // Keeps references to patches, tracer and sides.
+  PointRays(const PatchSet& patches, const Tracer& tracer, const GatherSides& sides, std::uint32_t replicates,
+            const CoefficientOptions& options);
 
   // sky: of light straight from the sky, external: of the ground's; both [replicate * sky patches + sky
   // patch], sr, to which is added.
@@ -45,7 +45,7 @@ class PointRays {
                   std::span<float> external) const;
 
  private:
-  PatchSet with_openings_;
+  const PatchSet& patches_;
   const Tracer& tracer_;
   const GatherSides& sides_;
   std::uint32_t replicates_;

@@ -118,8 +118,8 @@ WindowLight find_window_light(const WindowRun& of, const Tracer& tracer, std::ve
   WindowLight light;
   light.groups = std::move(groups);
   const auto with_dark = [&](const PatchSet& patches) {
-    return find_coefficients({patches, of.run.state, of.run.options, of.run.openings, true}, tracer,
-                             of.points, options, context);
+    return find_coefficients({patches, of.run.state, of.run.options, true}, tracer, of.points, options,
+                             context);
   };
   std::vector<std::uint32_t> all;
   auto left = mean_light(of.open, of.run.patches);

@@ -75,8 +75,6 @@ bool DaylightChanges::apply(const std::string& file, PatchSet& patches) const {
 void write_daylight_run(const std::filesystem::path& path, const DaylightAnswer& answer,
                         const std::string& command) {
   const auto& t = *answer.transport;
-  auto patches = t.patches;
-  patches.portals = t.openings;
   auto solution = t.solution;
   auto& provenance = solution.provenance;
   provenance.program_version = LUXEL_VERSION;
@@ -85,7 +83,7 @@ void write_daylight_run(const std::filesystem::path& path, const DaylightAnswer&
   provenance.options = {{"error", number(t.options.error)},
                         {"seed", fmt::format("{}", t.options.seed)},
                         {"north", number(answer.question.north)}};
-  write_solution(path, patches, solution, t.samples.get());
+  write_solution(path, t.patches, solution, t.samples.get());
 }
 
 StoredDaylight read_daylight_run(const std::string& file, const DaylightChanges& changes,
@@ -112,7 +110,6 @@ StoredDaylight read_daylight_run(const std::string& file, const DaylightChanges&
   t.error = stored.baked.solution.seen_error;
   t.samples = std::move(stored.samples);
   t.traces_again = changes.apply(file, patches);
-  t.openings = std::exchange(patches.portals, {});
   t.patches = std::move(patches);
   t.solution = std::move(stored.baked.solution);
   t.tracer.emplace(t.patches, context);

@@ -25,9 +25,8 @@ std::optional<DaylightTransport> solve_daylight(const Scene& scene, const std::s
   });
   if (reporter.is_interrupted()) return std::nullopt;
   set_portals(scene, t.patches, context);
-  t.openings = std::exchange(t.patches.portals, {});
   reporter.say("scene", fmt::format("{}: {} patches, {} windows and other openings", name, t.patches.size(),
-                                    t.openings.size()));
+                                    t.patches.portals.size()));
   if (on_patches) on_patches(t.patches);
   t.options.error = options.error;
   t.options.seed = options.seed;

@@ -21,8 +21,7 @@ namespace luxel {
 
 // The solve behind daylight coefficients, and its input.
 struct DaylightTransport {
-  PatchSet patches;  // without portals, so that every ray to the sky counts where it met it
-  std::vector<Portal> openings;
+  PatchSet patches;
   std::optional<Tracer> tracer;  // of the patches
   std::shared_ptr<const SampleState> samples;
   SampledOptions options;
@@ -30,7 +29,7 @@ struct DaylightTransport {
   double error = 0.0;
   bool traces_again = false;  // the patches have other panes than the run
 
-  DaylightRun run() const { return {patches, *samples, options, openings, traces_again}; }
+  DaylightRun run() const { return {patches, *samples, options, traces_again}; }
 };
 
 struct DaylightSolveOptions {

@@ -51,6 +51,7 @@ class Sampling {
         context_);
   }
   const DirectSamples& direct() const { return *direct_; }
+  const DirectLight& direct_light() const { return direct_light_; }
   std::uint64_t unreached_sides() const { return unreached_sides_; }
   std::uint64_t rays() const { return rays_; }  // traced
 

@@ -44,7 +44,7 @@ TEST(Verdict, says_what_would_tell_and_what_all_are_together) {
   unknown.compliance = Compliance::not_known;
   EXPECT_EQ(remedy_of(met), "");
   EXPECT_NE(remedy_of(open).find("9 times as many rays"), std::string::npos) << remedy_of(open);
-  EXPECT_FALSE(compliance_of({}));
+  EXPECT_FALSE(compliance_of(std::vector<Verdict>{}));
   EXPECT_EQ(compliance_of({met, met}), Compliance::met);
   EXPECT_EQ(compliance_of({met, unknown}), Compliance::not_known);
   EXPECT_EQ(compliance_of({unknown, open}), Compliance::cannot_be_told);
