@@ -318,6 +318,14 @@ TEST(DaylightCommand, changes_surfaces_and_panes_of_a_stored_run) {
   };
   EXPECT_EQ(of_run("--weather town.wea"), read_file(folder / "own.csv"));
 
+  const std::string shaded = "--weather town.wea --blinds glass=0.1 --json";
+  const auto by_run = Json::parse(of_run(shaded))["year"];
+  const auto by_scene =
+      cli::run(folder, "$LUXEL daylight room.obj --glass glass=0.8 --quiet" + quick + shaded);
+  EXPECT_GT(by_run["blinds"][0]["closed_hours"], 500.0);
+  EXPECT_EQ(by_run["blinds"], Json::parse(by_scene.out)["year"]["blinds"]);
+  EXPECT_EQ(by_run["sda_300_50_with_blinds"], Json::parse(by_scene.out)["year"]["sda_300_50_with_blinds"]);
+
   auto mtl = read_file(folder / "room.mtl");
   const auto wall = mtl.find("Kd 0.5 0.5 0.5");
   ASSERT_NE(wall, std::string::npos);
@@ -340,6 +348,8 @@ TEST(DaylightCommand, changes_surfaces_and_panes_of_a_stored_run) {
   };
   refuses("room.obj --reflectance wall=0.7", 2, "change a stored run");
   refuses("run.vtkhdf --north 20", 2, "--north is that of the stored run");
+  refuses("run.vtkhdf --weather town.wea --blinds window_1", 1,
+          "a stored run knows glass by its material, which is 'glass'");
   refuses("run.vtkhdf --transmittance glas=0.4", 1, "there is no glass 'glas', but 'glass'");
   refuses("run.vtkhdf --transmittance glass=4", 2, "a number from 0 to 1");
 }

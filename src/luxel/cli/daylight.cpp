@@ -141,7 +141,7 @@ class DaylightCommand final : public Command {
       throw UsageError(
           "--reflectance and --transmittance change a stored run: store one with 'luxel daylight SCENE -o "
           "RUN.vtkhdf', and give it in place of the scene");
-    for (const char* name : {"north", "sky-patches", "error", "max-edge", "blinds"})
+    for (const char* name : {"north", "sky-patches", "error", "max-edge"})
       if (is_run() && options().is_given(name))
         throw UsageError(
             fmt::format("--{} is that of the stored run: give the scene in place of the run to "

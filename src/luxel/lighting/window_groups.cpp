@@ -26,10 +26,20 @@ std::vector<std::string> names_of(const Scene& scene, std::size_t triangle) {
   return names;
 }
 
-bool fits(const WindowGroup& group, const Scene& scene, std::size_t triangle) {
-  const auto names = names_of(scene, triangle);
+bool fits(const WindowGroup& group, const std::vector<std::string>& names) {
   return std::any_of(names.begin(), names.end(),
                      [&](const std::string& name) { return !name.empty() && matches(group.name, name); });
+}
+
+// Says that no window has the name of a group. known: the names that windows have; what_they_are: before
+// these.
+std::string no_window(const WindowGroup& group, const std::set<std::string>& known,
+                      const std::string& what_they_are) {
+  if (known.empty())
+    return fmt::format("blinds: no window is called '{}': there is no glass; name the material that is glass",
+                       group.name);
+  return fmt::format("blinds: no window is called '{}', or it belongs to a group before; {} {}", group.name,
+                     what_they_are, name_list(std::vector(known.begin(), known.end())));
 }
 
 [[noreturn]] void refuse(const WindowGroup& group, const Scene& scene) {
@@ -37,17 +47,21 @@ bool fits(const WindowGroup& group, const Scene& scene, std::size_t triangle) {
   for (const auto& glass : find_glass(scene))
     for (const auto& name : names_of(scene, glass.triangle))
       if (!name.empty()) names.insert(name);
-  if (names.empty())
-    throw with_hints(
-        InputError(scene.source,
-                   fmt::format("blinds: no window is called '{}': the scene has no glass; name the "
-                               "material that is glass",
-                               group.name)),
-        {{Setting::glass, "NAME=TAU"}});
-  throw InputError(scene.source,
-                   fmt::format("blinds: no window is called '{}', or it belongs to a group before; the names "
-                               "of glass are {}",
-                               group.name, name_list(std::vector(names.begin(), names.end()))));
+  const InputError error(scene.source, no_window(group, names, "the names of glass are"));
+  if (names.empty()) throw with_hints(error, {{Setting::glass, "NAME=TAU"}});
+  throw error;
+}
+
+// names: of each pane. A pane belongs to the first group whose name fits one of its own.
+std::vector<std::vector<std::uint32_t>> grouped(std::span<const WindowGroup> groups,
+                                                const std::vector<std::vector<std::string>>& names) {
+  std::vector<std::vector<std::uint32_t>> panes(groups.size());
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    const auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const WindowGroup& g) { return fits(g, names[i]); });
+    if (group != groups.end()) panes[static_cast<std::size_t>(group - groups.begin())].push_back(i);
+  }
+  return panes;
 }
 
 double luminance_under(const std::vector<float>& sky, std::size_t bands, std::size_t sky_patch) {
@@ -77,7 +91,7 @@ void make_panes_of_groups(std::span<const WindowGroup> groups, Scene& scene) {
     bool any = false;
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
       auto& material = scene.materials[static_cast<std::size_t>(scene.triangle_material[t])];
-      if (material.opaque || !fits(group, scene, t)) continue;
+      if (material.opaque || !fits(group, names_of(scene, t))) continue;
       any = true;
       material.transmittance = glm::min(material.transmittance, Vec3(nearly_all));
     }
@@ -87,16 +101,28 @@ void make_panes_of_groups(std::span<const WindowGroup> groups, Scene& scene) {
 
 std::vector<std::vector<std::uint32_t>> panes_of_groups(const Scene& scene, const PatchSet& patches,
                                                         std::span<const WindowGroup> groups) {
-  std::vector<std::vector<std::uint32_t>> panes(groups.size());
   const auto triangles = pane_triangles(scene);
   if (triangles.size() != patches.panes.size()) throw MismatchError("the panes are not those of the scene");
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const auto group = std::find_if(groups.begin(), groups.end(),
-                                    [&](const WindowGroup& g) { return fits(g, scene, triangles[i]); });
-    if (group != groups.end()) panes[static_cast<std::size_t>(group - groups.begin())].push_back(i);
-  }
+  std::vector<std::vector<std::string>> names;
+  for (const auto triangle : triangles) names.push_back(names_of(scene, triangle));
+  auto panes = grouped(groups, names);
   for (std::size_t g = 0; g < groups.size(); ++g)
     if (panes[g].empty()) refuse(groups[g], scene);
+  return panes;
+}
+
+std::vector<std::vector<std::uint32_t>> panes_of_groups(const PatchSet& patches,
+                                                        std::span<const WindowGroup> groups) {
+  std::vector<std::vector<std::string>> names;
+  std::set<std::string> known;
+  for (const auto& pane : patches.panes) {
+    names.push_back({patches.materials[static_cast<std::size_t>(pane.material)].name});
+    known.insert(names.back()[0]);
+  }
+  auto panes = grouped(groups, names);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (panes[g].empty())
+      throw InputError(no_window(groups[g], known, "a stored run knows glass by its material, which is"));
   return panes;
 }
 

@@ -27,6 +27,10 @@ void make_panes_of_groups(std::span<const WindowGroup> groups, Scene& scene);
 std::vector<std::vector<std::uint32_t>> panes_of_groups(const Scene& scene, const PatchSet& patches,
                                                         std::span<const WindowGroup> groups);
 
+// The same by the names of the panes' materials alone: for patches whose scene is not at hand.
+std::vector<std::vector<std::uint32_t>> panes_of_groups(const PatchSet& patches,
+                                                        std::span<const WindowGroup> groups);
+
 // The same patches, with these panes dark.
 PatchSet with_dark_panes(const PatchSet& patches, std::span<const std::uint32_t> panes);
 

@@ -3,20 +3,22 @@
 
 #include <utility>
 
-#include "luxel/core/error.h"
 #include "luxel/import/set_daylight.h"
 #include "luxel/lighting/daylight_scene.h"
 
 namespace luxel {
 namespace {
 
+using PanesOfGroups = std::vector<std::vector<std::uint32_t>>;  // see panes_of_groups()
+
 // Returns false where the run was interrupted.
-bool add_year(const Scene* scene, DaylightAnswer& a, const RunPlace& place) {
+bool add_year(const PanesOfGroups& panes, DaylightAnswer& a, const RunPlace& place) {
   const auto& q = a.question;
   const auto context = place.reporter.reporting(place.context);
   a.windows = place.record.stage("windows", [&](auto& stage) {
     if (q.blinds.empty()) return all_windows(q.transmittance);
-    auto light = window_light(*scene, *a.transport, a.coefficients, q.blinds, q.coefficients, context);
+    auto light = find_window_light({a.transport->run(), a.coefficients, a.coefficients.origins},
+                                   *a.transport->tracer, q.blinds, panes, q.coefficients, context);
     for (const auto& without : light.without) stage.rays += without.rays + a.transport->samples->rays;
     return light;
   });
@@ -37,9 +39,8 @@ void find_skies(DaylightAnswer& a, const RunPlace& place) {
       "skies", [&](auto&) { return skies_of_year(*q.weather, a.sky, q.albedo, place.context); });
 }
 
-// Computes the results of the transport. Returns false where the run was interrupted. scene: null where
-// blinds have no groups.
-bool add_light(const Scene* scene, std::span<const ProbePoint> points, DaylightAnswer& a,
+// Computes the results of the transport. Returns false where the run was interrupted.
+bool add_light(const PanesOfGroups& panes, std::span<const ProbePoint> points, DaylightAnswer& a,
                const RunPlace& place) {
   const auto& q = a.question;
   const auto& t = *a.transport;
@@ -51,7 +52,7 @@ bool add_light(const Scene* scene, std::span<const ProbePoint> points, DaylightA
   });
   if (a.coefficients.points == 0) return false;
   for (const int type : {16, 1}) a.factors.push_back(daylight_factors(a.coefficients, type, q.albedo));
-  return !q.weather || add_year(scene, a, place);
+  return !q.weather || add_year(panes, a, place);
 }
 
 }  // namespace
@@ -70,23 +71,24 @@ std::unique_ptr<DaylightAnswer> study_daylight(Scene scene, const std::string& n
   std::vector<ProbePoint> at;
   a.transport = solve_daylight(
       scene, name, q.solve, [&](const PatchSet& patches) { at = points(patches); }, place);
-  if (!a.transport || !add_light(&scene, at, a, place)) return nullptr;
+  if (!a.transport) return nullptr;
+  const auto panes =
+      q.blinds.empty() ? PanesOfGroups{} : panes_of_groups(scene, a.transport->patches, q.blinds);
+  if (!add_light(panes, at, a, place)) return nullptr;
   return answer;
 }
 
 std::unique_ptr<DaylightAnswer> study_daylight(DaylightTransport transport, DaylightQuestion question,
                                                const PointsOfPatches& points, const RunPlace& place) {
-  if (!question.blinds.empty())
-    throw InputError(
-        "groups of blinds need the names of the scene's objects: give the scene in place of its run");
   auto answer = std::make_unique<DaylightAnswer>();
   auto& a = *answer;
   a.question = std::move(question);
   a.transport.emplace(std::move(transport));
   a.sky = a.transport->patches.sky_patches;
   const auto at = points(a.transport->patches);
+  const auto panes = panes_of_groups(a.transport->patches, a.question.blinds);
   find_skies(a, place);
-  if (!add_light(nullptr, at, a, place)) return nullptr;
+  if (!add_light(panes, at, a, place)) return nullptr;
   return answer;
 }
 

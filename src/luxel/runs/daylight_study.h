@@ -56,8 +56,8 @@ std::unique_ptr<DaylightAnswer> study_daylight(Scene scene, const std::string& n
                                                DaylightQuestion question, const PointsOfPatches& points,
                                                const RunPlace& place);
 
-// Computes the same from a stored run (daylight_run.h), without groups of blinds: reflected light uses the
-// run's stored rays.
+// Computes the same from a stored run (daylight_run.h), whose windows are named by their material alone:
+// reflected light uses the run's stored rays.
 std::unique_ptr<DaylightAnswer> study_daylight(DaylightTransport transport, DaylightQuestion question,
                                                const PointsOfPatches& points, const RunPlace& place);
 

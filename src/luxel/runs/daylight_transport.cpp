@@ -45,11 +45,4 @@ std::optional<DaylightTransport> solve_daylight(const Scene& scene, const std::s
   return t;
 }
 
-WindowLight window_light(const Scene& scene, const DaylightTransport& transport,
-                         const DaylightCoefficients& open, const std::vector<WindowGroup>& groups,
-                         const CoefficientOptions& options, const Context& context) {
-  return find_window_light({transport.run(), open, open.origins}, *transport.tracer, groups,
-                           panes_of_groups(scene, transport.patches, groups), options, context);
-}
-
 }  // namespace luxel

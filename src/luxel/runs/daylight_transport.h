@@ -45,9 +45,4 @@ std::optional<DaylightTransport> solve_daylight(const Scene& scene, const std::s
                                                 const std::function<void(const PatchSet&)>& on_patches,
                                                 const RunPlace& place);
 
-// Computes the light of groups of windows of the same scene (lighting/window_groups.h). Empty after a stop.
-WindowLight window_light(const Scene& scene, const DaylightTransport& transport,
-                         const DaylightCoefficients& open, const std::vector<WindowGroup>& groups,
-                         const CoefficientOptions& options, const Context& context);
-
 }  // namespace luxel
