@@ -3,8 +3,11 @@
 //
 // Risk. Seeds are fixed. Numbers with noise are compared within six of their standard errors; with other
 // random numbers one of the some hundred would fail with a chance below one in a thousand.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -168,12 +171,12 @@ PatchSet room_patches(const SceneBuilder& builder, const Daylight& daylight) {
   return make_patches(under(builder, daylight), {.max_edge = 0.5f});
 }
 
-Solution solved(const PatchSet& patches, EnergyBalance* energy = nullptr) {
+Solution solved(const PatchSet& patches, EnergyBalance* energy = nullptr, double error = 0.02) {
   const Context context;
   const Tracer tracer(patches, context);
   Solution s;
   const auto report =
-      solve_sampled(patches, tracer, s, {.error = 0.02, .error_measure = ErrorMeasure::power}, context);
+      solve_sampled(patches, tracer, s, {.error = error, .error_measure = ErrorMeasure::power}, context);
   if (energy) *energy = report.energy;
   return s;
 }
@@ -216,6 +219,41 @@ TEST(DaylightNorth, turns_the_light_with_it) {
   EXPECT_NEAR(light(90.0, 110.0), as_it_was, 0.02 * as_it_was);
   EXPECT_NEAR(light(-120.0, 320.0), as_it_was, 0.02 * as_it_was);
   EXPECT_LT(light(0.0, 20.0), 0.7 * as_it_was);  // the sun stands behind the room
+}
+
+// [quad]: mean illuminance of its front. Quads are two triangles each, whose patches a mirror cuts otherwise.
+std::vector<double> means_of_quads(const Scene& scene) {
+  const auto patches = make_patches(scene, {.max_edge = 0.25f});
+  const auto s = solved(patches, nullptr, 0.005);
+  std::vector<double> sum(scene.triangles.size() / 2, 0.0), area(sum.size(), 0.0);
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    sum[patches.triangle[p] / 2] += double{patches.area[p]} * lux_of(s.irradiance.front, p);
+    area[patches.triangle[p] / 2] += double{patches.area[p]};
+  }
+  for (std::size_t q = 0; q < sum.size(); ++q) sum[q] /= area[q];
+  return sum;
+}
+
+// The mirror image of a room, under a sun in the mirrored place, has the mirror image of its light.
+TEST(DaylightMirror, a_mirrored_building_has_mirrored_light) {
+  auto builder = truth::window_room();
+  builder.material("box", 0.6f, 0.0f);
+  truth::add_box(builder, {0.2f, 0.6f, 0.0f}, {0.7f, 1.2f, 0.6f});
+  const auto mirrored = [&](double azimuth) {
+    auto scene = under(builder, clear_with_sun(azimuth));
+    for (auto& p : scene.positions) p.x = 2.0f - p.x;
+    for (auto& t : scene.triangles) std::swap(t[1], t[2]);
+    return means_of_quads(scene);
+  };
+  const auto light = means_of_quads(under(builder, clear_with_sun(220.0)));
+  const auto image = mirrored(140.0), other = mirrored(220.0);
+  const auto brightest = *std::max_element(light.begin(), light.end());
+  double largest = 0.0;
+  for (std::size_t q = 0; q < light.size(); ++q) {
+    EXPECT_NEAR(image[q], light[q], 0.03 * light[q] + 0.002 * brightest) << "quad " << q;
+    largest = std::max(largest, std::abs(other[q] - light[q]));
+  }
+  EXPECT_GT(largest, 0.3 * brightest) << "with the sun where it was";
 }
 
 // Under a sky of patches with equal radiance the light is that of an even sky.
