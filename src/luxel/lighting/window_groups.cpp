@@ -31,15 +31,14 @@ bool fits(const WindowGroup& group, const std::vector<std::string>& names) {
                      [&](const std::string& name) { return !name.empty() && matches(group.name, name); });
 }
 
-// Says that no window has the name of a group. known: the names that windows have; what_they_are: before
-// these.
+// The error that no window has the name of a group. known: the names of glass, which follow `introduction`.
 std::string no_window(const WindowGroup& group, const std::set<std::string>& known,
-                      const std::string& what_they_are) {
+                      const std::string& introduction) {
   if (known.empty())
     return fmt::format("blinds: no window is called '{}': there is no glass; name the material that is glass",
                        group.name);
   return fmt::format("blinds: no window is called '{}', or it belongs to a group before; {} {}", group.name,
-                     what_they_are, name_list(std::vector(known.begin(), known.end())));
+                     introduction, name_list(std::vector(known.begin(), known.end())));
 }
 
 [[noreturn]] void refuse(const WindowGroup& group, const Scene& scene) {

@@ -6,10 +6,8 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "luxel/lighting/coefficients.h"
-#include "luxel/lighting/window_groups.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/runs/run_place.h"
