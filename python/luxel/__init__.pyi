@@ -335,6 +335,7 @@ class Solution:
         error_measure: Literal['seen', 'power'] | None = None,
         time: float | str | None = None,
         ray_budget: int | float | str | None = None,
+        cheap_rays: int | float | str | None = None,
         memory: float | str | None = None,
         every: float | str | None = None,
     ) -> Solution: ...
@@ -629,6 +630,7 @@ def bake(
     error_measure: Literal['seen', 'power'] | None = None,
     time: float | str | None = None,
     ray_budget: int | float | str | None = None,
+    cheap_rays: int | float | str | None = None,
     focus: str | None = None,
     replicates: int | None = None,
     low_discrepancy: bool | None = None,

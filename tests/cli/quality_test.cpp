@@ -63,7 +63,7 @@ TEST(Quality, medium_is_the_default_and_the_others_set_what_the_document_lists) 
   EXPECT_EQ(medium, plain);
 
   const auto table = documented_table();
-  ASSERT_EQ(table.size(), 5u);
+  ASSERT_EQ(table.size(), 6u);
   const char* levels[] = {"draft", "medium", "final"};
   for (std::size_t i = 0; i < 3; ++i) {
     auto set = configuration(folder, fmt::format("{} --quality {}", bake, levels[i]));
@@ -94,9 +94,10 @@ TEST(Quality, leaves_its_values_in_the_solution_and_not_its_name) {
       cli::run(folder, "$LUXEL bake cornell-box.obj --max-edge 0.2 --quality draft -o a.vtkhdf --quiet");
   ASSERT_EQ(run.code, 0) << run.err;
   const auto info = nlohmann::json::parse(cli::run(folder, "$LUXEL info a.vtkhdf --json").out);
-  EXPECT_EQ(
-      info["solution"]["command_line"],
-      "luxel bake cornell-box.obj --max-edge 0.2 --mesh-error none --error 6% --ray-budget 100M --samples 2");
+  EXPECT_EQ(info["solution"]["command_line"],
+            "luxel bake cornell-box.obj --max-edge 0.2 --mesh-error none --error 6% --ray-budget 100M "
+            "--cheap-rays 10M "
+            "--samples 2");
   EXPECT_EQ(cli::run(folder, "$LUXEL bake cornell-box.obj --quality best").code, 2);
 }
 

@@ -44,10 +44,10 @@ inline Outcome run(const std::filesystem::path& folder, std::string line) {
 inline void without_leak_check() { ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1); }
 
 // Runs a command that is interrupted as by Ctrl-C: `seconds` after the shell condition `begun` holds, in the
-// folder, where stderr.txt has the messages so far; after half a minute in any case.
+// folder, where stderr.txt has the messages so far; after two minutes in any case.
 inline Outcome run_interrupted(const std::filesystem::path& folder, const std::string& command,
                                const std::string& begun, const std::string& seconds = "0") {
-  return run(folder, command + " & pid=$!; for i in $(seq 600); do " + begun +
+  return run(folder, command + " & pid=$!; for i in $(seq 2400); do " + begun +
                          " && break; sleep 0.05; done; sleep " + seconds + "; kill -INT $pid; wait $pid");
 }
 

@@ -14,6 +14,7 @@ namespace {
 class ViewLuminaires : public testing::Test {
  protected:
   void SetUp() override {
+    without_leak_check();
     folder_ = fresh_folder(testing::UnitTest::GetInstance()->current_test_info()->name());
     std::ofstream(folder_ / "s.txt") << "close\n";
     const auto tried = cli::run(

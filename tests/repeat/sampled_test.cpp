@@ -2,7 +2,9 @@
 // The sampled solver gives the same bytes however it is run.
 #include "luxel/solve/sampled.h"
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -143,6 +145,36 @@ TEST(SampledRepeat, a_run_never_traces_more_than_it_may_once_it_has_begun_to_dou
     EXPECT_LE(bounded.report.rays, limit);
     EXPECT_GT(bounded.report.rays, limit / 4) << "it could have gone on";
   }
+}
+
+// Where half of the error is cheap it is the target; where it is not, nothing changes.
+TEST(SampledRepeat, a_cheap_run_is_one_to_half_of_the_error) {
+  const auto patches = room();
+  const auto solved = [&](double error, std::uint64_t cheap_rays) {
+    return solve(patches, {.error = error, .error_measure = ErrorMeasure::power, .cheap_rays = cheap_rays});
+  };
+  const auto cheap = solved(0.02, 100'000'000);
+  EXPECT_LE(cheap.report.predicted_error, 0.01);
+  EXPECT_EQ(difference_of_light(cheap.solution, solved(0.01, 0).solution), "");
+  const auto plain = solved(0.02, 0);
+  EXPECT_GT(plain.report.predicted_error, 0.01);
+  EXPECT_EQ(difference_of_light(plain.solution, solved(0.02, 1000).solution), "");
+}
+
+// The target follows from the samples alone, so a run that is resumed ends where it would have ended.
+TEST(SampledRepeat, a_cheap_run_ends_alike_after_a_stop) {
+  const auto patches = room();
+  const Context context(2);
+  const Tracer tracer(patches, context);
+  const SampledOptions options{
+      .error = 0.02, .error_measure = ErrorMeasure::power, .cheap_rays = 100'000'000};
+  std::vector<std::shared_ptr<const SampleState>> states;
+  Solution whole, resumed;
+  solve_sampled(patches, tracer, whole, options,
+                {.keep = [&](auto state) { states.push_back(std::move(state)); }, .on_light = {}}, context);
+  ASSERT_GT(states.size(), 1u);
+  solve_sampled(patches, tracer, resumed, options, {.from = states[0], .on_light = {}}, context);
+  EXPECT_EQ(difference_of_light(whole, resumed), "");
 }
 
 TEST(SampledRepeat, another_seed_gives_another_answer) {

@@ -29,7 +29,9 @@ struct SampledOptions {
   /// The run ends at the answer whose rays are nearest to this number, on a logarithmic scale, even if the
   /// error is not reached. Rounds stay as large as without a bound: a longer run passes through this answer.
   std::uint64_t ray_budget = 0;  ///< 0: no bound
-  double seconds = 0.0;          ///< wall clock; 0: no bound
+  /// Where about this many rays or fewer suffice for half of `error`, the run goes on to that: 0: nowhere.
+  std::uint64_t cheap_rays = 0;
+  double seconds = 0.0;  ///< wall clock; 0: no bound
   /// Maximum memory, bytes. Hits that do not fit are traced again instead of stored: slower, the same result.
   std::uint64_t memory = 0;      ///< 0: half of what is free when the solve begins
   std::uint64_t seed = 1;        ///< another seed gives an independent solution

@@ -37,6 +37,7 @@ class Bake final : public Command {
       outputs.push_back(default_output(file));
     }
     settings_.check();
+    drop_bounds_of_quality(options());
     check_outputs();
     settings_.mesh.check_outputs(settings_.run.outputs);
     Console console(settings_.run);
@@ -50,8 +51,7 @@ class Bake final : public Command {
     auto start = stages.begin(scene, shows_pictures());
     if (!start) return stopped_before_light(console);
     console.say("scene", describe_scene(file, scene, start->baked.patches));
-    const auto settings = stages.settings_of_light();
-    return LightRun(settings, file, options(), {context, console, record}).run(*start, &scene);
+    return LightRun(settings_, file, options(), {context, console, record}).run(*start, &scene);
   }
 
  private:

@@ -23,6 +23,7 @@ class Command {
   // Returns the exit code; throws the library's errors.
   virtual int run() = 0;
   const OptionSet& options() const { return options_; }
+  OptionSet& options() { return options_; }
   // Returns whether its work can be divided among processes; and these processes, which must outlive the run.
   virtual bool takes_ranks() const { return false; }
   void set_ranks(const Ranks* ranks) { ranks_ = ranks; }
@@ -34,7 +35,7 @@ class Command {
   void keep_files_of(const Scene& scene) const { keep_inputs(options_, scene.files); }
 
  private:
-  const OptionSet& options_;
+  OptionSet& options_;
   const Ranks* ranks_ = nullptr;
 };
 

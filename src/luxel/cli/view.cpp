@@ -52,6 +52,7 @@ class View final : public Command {
     settings_.scene.check();
     settings_.light.check();
     settings_.picture.check();
+    drop_bounds_of_quality(options());
     const auto report = run_window(window_settings());
     if (!report.saved.empty()) Console().say("wrote", report.saved);
     return report.interrupted ? exit_stopped_early : exit_fine;
@@ -114,6 +115,7 @@ class View final : public Command {
     OptionSet all("bake", "");
     bake.declare(all);
     all.restore(options().given());
+    drop_bounds_of_quality(all);
     bake.scene.file = file.string();
     static_cast<LightOptions&>(bake.light) = light;
     bake.keep.transport = true;

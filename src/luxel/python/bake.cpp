@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solves: bake, resume, relight and merge, by the stages of the commands.
+#include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,7 @@ Handle bake_scene(const SceneHandle& input, const GivenOptions& given, const Cal
   set.give(all);
   settings.scene.file = input.scene.source;
   settings.check();
+  drop_bounds_of_quality(set);
   auto reporter = call.reporter();
   return reporter.run([&] {
     const Context context(call.threads);
@@ -61,8 +64,7 @@ Handle bake_scene(const SceneHandle& input, const GivenOptions& given, const Cal
     auto start = stages.begin(scene, false);
     if (!start) return Handle();
     reporter.say("scene", describe_scene(settings.scene.file, scene, start->baked.patches));
-    const auto of_light = stages.settings_of_light();
-    return lit(of_light, settings.scene.file, std::move(*start), &scene, place);
+    return lit(settings, settings.scene.file, std::move(*start), &scene, place);
   });
 }
 
@@ -78,9 +80,13 @@ Handle resume(const SolutionHandle& from, const GivenOptions& changes, const std
   restore_options(changes, changes_text, set, start.baked.solution.provenance);
   settings.keep.checkpoint.clear();
   settings.check();
-  bool has_budget = false;
-  for (const auto& [name, value] : changes) has_budget |= name == "ray-budget";
-  if (!has_budget) settings.light.sampled.ray_budget = 0;  // it resumes to continue
+  const auto changes_one_of = [&](const std::set<std::string>& names) {
+    return std::any_of(changes.begin(), changes.end(),
+                       [&](const auto& c) { return names.contains(c.first); });
+  };
+  if (!changes_one_of({"ray-budget"})) settings.light.sampled.ray_budget = 0;  // it resumes to continue
+  if (changes_one_of({"error", "rays", "time"}) && !changes_one_of({"cheap-rays"}))
+    settings.light.sampled.cheap_rays = 0;
   auto reporter = call.reporter();
   return reporter.run([&] {
     const Context context(call.threads);

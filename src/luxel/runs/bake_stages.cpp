@@ -52,12 +52,6 @@ std::optional<BakeStart> BakeStages::begin(const Scene& scene, bool needs_view) 
   return start;
 }
 
-BakeSettings BakeStages::settings_of_light() const {
-  auto settings = settings_;
-  if (!has_ray_budget(options_)) settings.light.sampled.ray_budget = 0;
-  return settings;
-}
-
 // A run with a bound other than its error, or with a given size of patches, keeps its patches.
 bool BakeStages::refines() const {
   const auto& light = settings_.light;

@@ -31,9 +31,6 @@ class BakeStages {
   // before there was light.
   std::optional<BakeStart> begin(const Scene& scene, bool needs_view) const;
 
-  // The settings of the light: those given, without the bound of rays of a quality where it does not apply.
-  BakeSettings settings_of_light() const;
-
  private:
   bool refines() const;
   PatchSet cut(const Scene& scene) const;

@@ -121,20 +121,24 @@ void LightSettings::declare_rays(OptionSet& set) {
 }
 
 void LightSettings::declare_ray_budget(OptionSet& set) {
-  set.add(
-      {"ray-budget", "count",
-       "stop near this number of rays, such as 500M, even if the error is not reached; the default has no "
-       "effect where --error, --rays or --time is given; none: no bound",
-       [this](const std::string& text) {
-         sampled.ray_budget = text == "none" ? 0 : parse_count("ray-budget", text);
-       },
-       [this] {
-         constexpr std::uint64_t million = 1'000'000;
-         const auto budget = sampled.ray_budget;
-         return budget == 0             ? std::string("none")
-                : budget % million == 0 ? fmt::format("{}M", budget / million)
-                                        : fmt::format("{}", budget);
-       }});
+  const auto add = [&](const std::string& name, const std::string& help, std::uint64_t& rays) {
+    set.add({name, "count", help,
+             [&rays, name](const std::string& text) { rays = text == "none" ? 0 : parse_count(name, text); },
+             [&rays] {
+               constexpr std::uint64_t million = 1'000'000;
+               return rays == 0             ? std::string("none")
+                      : rays % million == 0 ? fmt::format("{}M", rays / million)
+                                            : fmt::format("{}", rays);
+             }});
+  };
+  add("ray-budget",
+      "stop near this number of rays, such as 500M, even if the error is not reached; the default has no "
+      "effect where --error, --rays or --time is given; none: no bound",
+      sampled.ray_budget);
+  add("cheap-rays",
+      "go on to half of --error where about this number of rays suffices; the default has no effect where "
+      "--error, --rays or --time is given; none: stop at --error",
+      sampled.cheap_rays);
 }
 
 void LightSettings::declare_error_and_time(OptionSet& set) {

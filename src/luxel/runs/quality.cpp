@@ -21,6 +21,7 @@ struct Row {
 constexpr Row table[] = {
     {"error", {"6%", "2%", "1%"}},             // of the light
     {"ray-budget", {"100M", "300M", "none"}},  // of the light
+    {"cheap-rays", {"10M", "40M", "none"}},    // of the light
     {"mesh-error", {"none", "auto", "1%"}},    // of the patches
     {"samples", {"2", "3", "4"}},              // of a pixel
     {"final-gather", {"5%", "2%", "1%"}},      // of lightmaps
@@ -34,6 +35,9 @@ bool has(const OptionSet& set, const char* option) {
   return std::any_of(set.entries().begin(), set.entries().end(),
                      [&](const OptionSet::Entry& e) { return e.declaration.name == option; });
 }
+
+// Returns whether an option of the table has no effect where the user gave another bound.
+bool is_bound(std::string_view option) { return option == "ray-budget" || option == "cheap-rays"; }
 
 }  // namespace
 
@@ -55,16 +59,20 @@ void QualitySettings::declare(OptionSet& set) {
           [this, &set] {
             std::vector<std::pair<std::string, std::string>> values;
             for (const auto& row : table)
-              if (row.option != std::string_view("ray-budget") || has_ray_budget(set))
+              if (!is_bound(row.option) || has_bound_of_quality(set, row.option))
                 values.emplace_back(row.option, row.values[index_of(level)]);
             return values;
           }};
   set.add_first(std::move(quality), "Quality");
 }
 
-bool has_ray_budget(const OptionSet& set) {
-  return set.is_given("ray-budget") ||
-         !(set.is_given("error") || set.is_given("rays") || set.is_given("time"));
+bool has_bound_of_quality(const OptionSet& set, const std::string& option) {
+  return set.is_given(option) || !(set.is_given("error") || set.is_given("rays") || set.is_given("time"));
+}
+
+void drop_bounds_of_quality(OptionSet& set) {
+  for (const auto& row : table)
+    if (is_bound(row.option) && !has_bound_of_quality(set, row.option)) set.set_default(row.option, "none");
 }
 
 std::string quality_table(const OptionSet& set) {

@@ -15,9 +15,12 @@ struct QualitySettings {
   void declare(OptionSet& set);
 };
 
-// Returns whether the bound of rays that a quality has applies to a run with these options: not where the
-// user gave another bound, unless this one is given too.
-bool has_ray_budget(const OptionSet& set);
+// Returns whether a number of rays that a quality has, ray-budget or cheap-rays, applies to a run with these
+// options: not where the user gave another bound, unless this number is given too.
+bool has_bound_of_quality(const OptionSet& set, const std::string& option);
+// Makes none the value and default of those that do not apply: before the options are recorded, so that a
+// resumed run ends alike.
+void drop_bounds_of_quality(OptionSet& set);
 
 // The table as text, one line for each of its options that the set has.
 std::string quality_table(const OptionSet& set);

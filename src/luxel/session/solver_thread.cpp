@@ -93,8 +93,11 @@ std::optional<command::Solve> SolverThread::next_solve() {
   auto order = std::exchange(pending_.solve, {});
   if (const auto error = std::exchange(pending_.error, {})) {
     if (!order && is_sampled()) order = command::Solve{light_};
-    if (order) order->light.sampled.error = *error;
-    light_.sampled.error = *error;
+    for (auto* light : {order ? &order->light : nullptr, &light_})
+      if (light) {
+        light->sampled.error = *error;
+        light->sampled.cheap_rays = 0;  // who sets an error means it
+      }
     set_options(light_);
   }
   pending_.stops = false;

@@ -44,6 +44,8 @@ class TimeForecast {
  public:
   explicit TimeForecast(const TimeForecastOptions& options) : options_(options) {}
 
+  // Changes the error that ends the run.
+  void aim_at(double error) { options_.error = error; }
   // The samples of a round are taken: its answer begins.
   void begin_answer(double seconds);
   // Ends the answer. error: with its uncertainty; cost and rays: of all samples so far.
@@ -107,6 +109,7 @@ class RunProgress {
 
   // Call in this order in every round. error: stated; safe_error: with its uncertainty; cost: of all samples.
   void begin_answer();
+  void aim_at(double error) { forecast_.aim_at(error); }  // where the error that ends the run changes
   void end_answer(double error, double safe_error, double cost, std::uint64_t rays);
   void begin_round(const RoundPlan& plan);
 

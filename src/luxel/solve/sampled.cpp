@@ -45,6 +45,8 @@ void check(const PatchSet& patches, const SampledOptions& options) {
   check_light(patches);
 }
 
+constexpr double cheap_part = 0.5;  // of the error, where it is cheap: see SampledOptions::cheap_rays
+
 double mean(std::span<const std::uint32_t> counts) {
   const auto sum = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(1, counts.size()));
@@ -185,13 +187,13 @@ class Run {
         sum_of_groups(sampling_->direct().irradiance(), patches_.group_count(), bands_, {}, context_);
     transport_.reset();
     transport_ = sampling_->transport();
-    auto solved =
-        solve_replicates(*transport_, direct, light_->scattering(), radiosity_, tolerance_for(options_.error),
-                         context_.with_monitor([this](const Progress&) { return progress_.report(rays()); }));
+    auto solved = solve_replicates(
+        *transport_, direct, light_->scattering(), radiosity_, tolerance_for(finest_target()),
+        context_.with_monitor([this](const Progress&) { return progress_.report(rays()); }));
     if (solved.is_stopped) return false;
     auto& gathered = solved.gathered;
     gathered_ = mean_of(gathered, context_);
-    const auto enough = [&](const Spread& own) { return error_by_measure(own) <= options_.error; };
+    const auto enough = [&](const Spread& own) { return error_by_measure(own) <= finest_target(); };
     answer_ =
         light_->answer(direct, gathered, not_found_->variance(), enough, context_, [&](bool is_smoothed) {
           direct_squared_error_ = squared_errors(direct, bands_, context_);
@@ -223,6 +225,7 @@ class Run {
     report_.error_uncertainty = uncertainty();
     light_->write(answer_, solution_, context_);
     sign();
+    progress_.aim_at(target());
     progress_.end_answer(error_, safe_error(), cost_of_samples(*sampling_, options_.replicates), rays());
     return true;
   }
@@ -231,8 +234,19 @@ class Run {
 
   // An error of 0 after one round means a failed estimate or exact light.
   bool is_good_enough() const {
-    return options_.error > 0.0 && safe_error() <= options_.error &&
+    return options_.error > 0.0 && safe_error() <= target() &&
            (error_ > 0.0 || rounds_before_ + report_.rounds.size() > 1);
+  }
+  // The error at which the run ends: half of the requested one where that is cheap. It follows from the
+  // answer alone, so that a resumed run decides alike.
+  double target() const {
+    const auto growth = safe_error() / (cheap_part * options_.error);
+    const auto needed = static_cast<double>(rays()) * growth * growth;
+    return needed <= static_cast<double>(options_.cheap_rays) ? cheap_part * options_.error : options_.error;
+  }
+  // The smallest that it may be, before the error is known.
+  double finest_target() const {
+    return rays() <= options_.cheap_rays ? cheap_part * options_.error : options_.error;
   }
   double error_by_measure(const Spread& answer) const {
     return seen_ ? seen_->error_of(answer) : error_of(answer);
@@ -245,8 +259,7 @@ class Run {
     return seen_ ? safe_error() * safe_error() : answer_.total_squared_error;
   }
   double aimed_squared_error() const {
-    return tuning::rounds::aim * options_.error * options_.error *
-           (seen_ ? 1.0 : answer_.total_squared_light);
+    return tuning::rounds::aim * target() * target() * (seen_ ? 1.0 : answer_.total_squared_light);
   }
 
   // Returns the variance of each receiver's irradiance, [receiver].
