@@ -29,7 +29,7 @@ struct SampledOptions {
   /// The run ends at the answer whose rays are nearest to this number, on a logarithmic scale, even if the
   /// error is not reached. Rounds stay as large as without a bound: a longer run passes through this answer.
   std::uint64_t ray_budget = 0;  ///< 0: no bound
-  /// Where about this many rays or fewer suffice for half of `error`, the run goes on to that: 0: nowhere.
+  /// The run goes on to half of `error` where about this number of rays suffices for it; 0: never.
   std::uint64_t cheap_rays = 0;
   double seconds = 0.0;  ///< wall clock; 0: no bound
   /// Maximum memory, bytes. Hits that do not fit are traced again instead of stored: slower, the same result.

@@ -11,7 +11,8 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t grain = 64;  // receivers per chunk
-// Of a receiver, per replicate. A run has fewer where it knows the light of a window in closed form.
+// Minimum number of samples per replicate of each receiver; a run takes fewer where the closed form of a
+// window's light needs no correction by samples.
 constexpr std::uint32_t min_samples = 16;
 
 }  // namespace
