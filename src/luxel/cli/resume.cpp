@@ -53,7 +53,6 @@ class Resume final : public Command {
     console.say("resumes", fmt::format("{}: {} patches, after {} rays", file_,
                                        with_commas(kept.baked.patches.size()), rough_count(provenance.rays)));
     if (!options().is_given("ray-budget")) settings.light.sampled.ray_budget = 0;  // it resumes to continue
-    if (!has_bound_of_quality(options(), "cheap-rays")) settings.light.sampled.cheap_rays = 0;
     BakeStart start{std::move(kept.baked), {}, std::move(kept.samples), {}};
     return LightRun(settings, file_, options(), {context, console, record}).run(start, nullptr);
   }

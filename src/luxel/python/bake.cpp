@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solves: bake, resume, relight and merge, by the stages of the commands.
-#include <algorithm>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -80,13 +78,9 @@ Handle resume(const SolutionHandle& from, const GivenOptions& changes, const std
   restore_options(changes, changes_text, set, start.baked.solution.provenance);
   settings.keep.checkpoint.clear();
   settings.check();
-  const auto changes_one_of = [&](const std::set<std::string>& names) {
-    return std::any_of(changes.begin(), changes.end(),
-                       [&](const auto& c) { return names.contains(c.first); });
-  };
-  if (!changes_one_of({"ray-budget"})) settings.light.sampled.ray_budget = 0;  // it resumes to continue
-  if (changes_one_of({"error", "rays", "time"}) && !changes_one_of({"cheap-rays"}))
-    settings.light.sampled.cheap_rays = 0;
+  bool has_budget = false;
+  for (const auto& [name, value] : changes) has_budget |= name == "ray-budget";
+  if (!has_budget) settings.light.sampled.ray_budget = 0;  // it resumes to continue
   auto reporter = call.reporter();
   return reporter.run([&] {
     const Context context(call.threads);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/runs/resumed_options.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace luxel {
@@ -9,6 +11,12 @@ void restore_options(const std::vector<std::pair<std::string, std::string>>& cha
                      const std::string& command, OptionSet& options, Provenance& provenance) {
   options.restore(provenance.options);
   options.restore(changes);
+  const auto is_changed = [&](const char* name) {
+    return std::any_of(changes.begin(), changes.end(), [&](const auto& c) { return c.first == name; });
+  };
+  // A new bound ends the run where it says, as in a bake.
+  if ((is_changed("error") || is_changed("rays") || is_changed("time")) && !is_changed("cheap-rays"))
+    options.set_default("cheap-rays", "none");
   auto used = options.used_values(RunSettings::heading);
   if (used == provenance.options) return;
   provenance.options = std::move(used);
