@@ -233,7 +233,7 @@ void main() {
   gl_Position = vec4(position.xy, 1.0, 1.0);
 }`;
 
-// As render/sky_look.cpp shows a uniform sky.
+// As render/sky_look.cpp shows a uniform sky. ground: its radiance, relative to that of the sky.
 export const skyFragmentShader = `
 precision highp float;
 precision highp int;
@@ -241,12 +241,12 @@ in vec3 ray;
 layout(location = 0) out vec4 pixel;
 uniform vec3 sky, zenith;
 uniform int curve;
-uniform float tone_scale, white;
+uniform float ground, tone_scale, white;
 const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
 ${toning}
 void main() {
   float height = dot(normalize(ray), zenith);
-  vec3 look = height < 0.0 ? vec3(mix(1.0, 0.75, min(1.0, -height / 0.06)))
+  vec3 look = height < 0.0 ? vec3(mix(1.0, min(0.75, ground), min(1.0, -height / 0.06)))
                            : mix(vec3(0.20, 0.40, 0.80), vec3(1.0), pow(1.0 - min(1.0, height), 5.0));
   pixel = vec4(toned(look * sky), 1.0);
 }`;

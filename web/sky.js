@@ -5,11 +5,13 @@ import { skyFragmentShader, skyVertexShader } from './shaders.js';
 
 export class Sky {
   // shared: the uniforms of the tone curve.
-  constructor({ curve, tone_scale, white }) {
+  // ground: its radiance, relative to that of the sky.
+  constructor({ curve, tone_scale, white }, ground) {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
     this.uniforms = {
-      from_screen: { value: new Matrix4() }, sky: { value: new Vector3() }, zenith: { value: new Vector3() }, curve, tone_scale, white,
+      from_screen: { value: new Matrix4() }, sky: { value: new Vector3() }, zenith: { value: new Vector3() },
+      ground: { value: ground }, curve, tone_scale, white,
     };
     const material = new RawShaderMaterial({
       glslVersion: GLSL3, vertexShader: skyVertexShader, fragmentShader: skyFragmentShader, uniforms: this.uniforms,

@@ -57,6 +57,20 @@ TEST(StoredRuns, killed_a_hundred_times_nothing_is_lost_and_the_end_is_the_same)
   }
 }
 
+TEST(StoredRuns, a_resumed_run_records_that_a_new_error_ends_it) {
+  const auto folder = fresh_folder("resumed_bound");
+  const auto recorded = [&](const std::string& file) {
+    return Json::parse(
+        cli::run(folder, "$LUXEL info " + file + " --json").out)["solution"]["options"]["cheap-rays"];
+  };
+  const auto bake =
+      "$LUXEL bake cornell-box.obj --max-edge 0.2 --quality draft --store-transport -o a.vtkhdf";
+  ASSERT_EQ(cli::run(folder, bake).code, 0);
+  EXPECT_EQ(recorded("a.vtkhdf"), "10M");
+  ASSERT_EQ(cli::run(folder, "$LUXEL resume a.vtkhdf --error 4% -o b.vtkhdf").code, 0);
+  EXPECT_EQ(recorded("b.vtkhdf"), "none");
+}
+
 TEST(StoredRuns, resume_goes_on_to_a_finer_error) {
   const auto folder = fresh_folder("finer");
   ASSERT_EQ(

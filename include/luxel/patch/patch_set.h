@@ -145,6 +145,9 @@ struct PatchSet {
   /// Radiance in the mean over the directions above the horizon, or over all where the lower half mirrors
   /// it: [band], W/(m² sr); empty where it is dark.
   std::vector<float> mean_sky() const;
+  /// Radiance of the ground over that of mean_sky(), in the mean over the bands; 1 where the sky goes on
+  /// below the horizon, and where it is dark.
+  double ground_over_sky() const;
   /// Irradiance of open ground by the sky, W/m²: [band]; empty where it is dark. Suns are not included.
   std::vector<double> open_irradiance() const;
   const BandMaterial& material_of(std::size_t patch) const {

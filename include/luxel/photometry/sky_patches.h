@@ -18,7 +18,7 @@ enum class LowerHalf : std::uint8_t {
 
 /// The directions around a scene in patches, each of constant radiance: the ground, then Tregenza's 145
 /// patches of the sky with each split into `subdivision` rows and columns, as Reinhart did: 144 subdivision²
-/// + 1.
+/// + 1. With a subdivision of 0 the sky is one patch, from the horizon to the zenith.
 ///
 /// The order is that of Radiance's gendaymtx: patch 0 is the ground; the rows begin at the horizon; in a row
 /// the first patch is centred on north and azimuths grow to the east; the last patch is round the zenith.
@@ -30,12 +30,12 @@ enum class LowerHalf : std::uint8_t {
 class SkyPatches {
  public:
   SkyPatches() = default;
-  /// subdivision: 1 to 16. zenith, north: unit, orthogonal, in the scene's axes.
+  /// subdivision: 0 to 16. zenith, north: unit, orthogonal, in the scene's axes.
   SkyPatches(int subdivision, const Vec3d& zenith, const Vec3d& north, LowerHalf lower = LowerHalf::one);
 
   std::size_t size() const { return row_begins_.empty() ? 1 : size_; }
   bool is_one() const { return row_begins_.empty(); }
-  int subdivision() const { return subdivision_; }  ///< 0 where all directions are one patch
+  int subdivision() const { return subdivision_; }  ///< 0 also where all directions are one patch
   LowerHalf lower_half() const { return lower_; }
   const Vec3d& zenith() const { return zenith_; }
   const Vec3d& north() const { return north_; }

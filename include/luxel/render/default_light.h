@@ -12,8 +12,16 @@ namespace luxel {
 
 /// lx, on an unobstructed horizontal surface under the default sky: an overcast day.
 inline constexpr double default_daylight = 10'000.0;
+/// Reflectance of the ground outside under this sky.
+inline constexpr double default_albedo = 0.2;
 /// lx, the average in a closed scene that gets electric light: an office.
 inline constexpr double default_lamp_light = 300.0;
+
+/// The sky of a scene without light.
+enum class DefaultSky {
+  over_ground,  ///< uniform above the horizon, over ground of default_albedo
+  all_around    ///< uniform in all directions, for methods that take no other sky
+};
 
 enum class DefaultLightKind {
   not_needed,         ///< the scene has light of its own
@@ -35,13 +43,16 @@ struct DefaultLight {
 };
 
 /// Adds light to a scene that has none (has_light()), so that it can be solved: a uniform white sky of
-/// default_daylight. Where the sky reaches less than 1 % of the surfaces, the scene is a closed room. Then
-/// materials with names such as "ceiling lamp" or "Bulb.001" emit instead; where there are none, white square
-/// luminaires that face down are placed below the ceilings, so that nearly every point of the open space sees
-/// one. Their triangles come last, see Scene::added_triangles; their power gives about default_lamp_light.
+/// default_daylight. Under such a sky over ground, the sides of a solid differ and show its shape; without a
+/// known up direction the light is that of `all_around`. Where the sky reaches less than 1 % of the surfaces,
+/// the scene is a closed room. Then materials with names such as "ceiling lamp" or "Bulb.001" emit instead;
+/// where there are none, white square luminaires that face down are placed below the ceilings, so that nearly
+/// every point of the open space sees one. Their triangles come last, see Scene::added_triangles; their power
+/// gives about default_lamp_light.
 ///
 /// The same scene gets the same light for any number of threads. Throws what make_patches() and Tracer throw.
 /// Cost: building a Tracer, and 0.2 million rays; nothing where the scene has light. Reports no progress.
-DefaultLight add_default_light(Scene& scene, const Context& context = {});
+DefaultLight add_default_light(Scene& scene, const Context& context = {},
+                               DefaultSky sky = DefaultSky::over_ground);
 
 }  // namespace luxel

@@ -19,6 +19,8 @@ std::span<const Method> all_methods();
 std::string_view name(Method method);         ///< as files, options and JSON spell it
 std::string_view description(Method method);  ///< a phrase for people
 std::optional<Method> method_named(std::string_view name);
+/// Returns whether the radiance of the sky may differ by direction.
+bool takes_uneven_sky(Method method);
 
 /// One of the methods, with the options of each.
 struct LightOptions {

@@ -43,8 +43,9 @@ class Bake final : public Command {
     Console console(settings_.run);
     const Context context({.threads = settings_.run.threads, .ranks = ranks()});
     RunRecord record;
-    const auto scene = record.stage(
-        "load", [&](auto&) { return load_lit_scene(settings_.scene, settings_.look.up, context, console); });
+    const auto scene = record.stage("load", [&](auto&) {
+      return load_lit_scene(settings_.scene, settings_.look.up, context, console, settings_.light.method);
+    });
     if (interrupted()) return stopped_before_light(console);
     keep_files_of(scene);
     const BakeStages stages(settings_, options(), {context, console, record});

@@ -18,7 +18,7 @@ std::optional<SolvedScene> load_solved_scene(const std::string& file, const std:
   SolvedScene solved;
   solved.metres_per_unit = of_bake.scene.load.scale;
   of_bake.scene.file = file;
-  solved.scene = load_lit_scene(of_bake.scene, of_bake.look.up, {}, console);
+  solved.scene = load_lit_scene(of_bake.scene, of_bake.look.up, {}, console, of_bake.light.method);
   if (interrupted()) return std::nullopt;
   if (fingerprint(solved.scene) != baked.patches.scene_fingerprint)
     throw MismatchError(fmt::format("--scene {}: it is not what {} was solved from", file, solution_file),

@@ -190,6 +190,7 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
       {"luminaires", std::move(luminaires)},
       {"sky", three(patches.has_sky() ? colours.rgb(patches.mean_sky()) : Vec3d(0.0))},
       {"hasSky", patches.has_sky()},
+      {"groundOverSky", patches.ground_over_sky()},
       {"materials", materials_of(patches, colours, textures, !groups.empty())},
       {"parts", parts_of(mesh)},
       {"grid", grid},

@@ -87,7 +87,7 @@ Outside outside_of(const Daylight& d, const Vec3d& sun) {
 void set_model(const Daylight& d, const Vec3d& up, Scene& scene) {
   const auto sun = d.sun ? towards(*d.sun) : Vec3d(0.0, 0.0, 1.0);
   const auto outside = outside_of(d, sun);
-  const SkyPatches patches(subdivision, up, north_of(up, d.north));
+  const SkyPatches patches(d.sky == Daylight::Sky::uniform ? 0 : subdivision, up, north_of(up, d.north));
   if (outside.sun > 0.0) add_sun(sun, outside.sun, sun_radius, patches, scene);
   if (!(outside.sky > 0.0) && !(outside.sun > 0.0 && d.albedo > 0.0)) return;
   scene.sky_patches = patches;

@@ -5,9 +5,10 @@
 
 namespace luxel {
 
-// Gives the scene its sky and its sun: 9,217 patches above the horizon and one of the ground, or those of a
-// picture on both sides of it, and a directional light named "sun" with the disc of the sun. Bright spots of
-// a picture, its sun above all, become such lights, named "sun", too: rays would seldom find them.
+// Gives the scene its sky and its sun: 9,217 patches above the horizon (one where the sky is uniform) and one
+// of the ground, or those of a picture on both sides of it, and a directional light named "sun" with the disc
+// of the sun. Bright spots of a picture, its sun above all, become such lights, named "sun", too: rays would
+// seldom find them.
 //
 // up: (0, 1, 0) or (0, 0, 1); 0: the scene's own, else estimated. Throws InputError where a number is out of
 // its range, and where a picture cannot be read or is black. Cost: 20 ms, and the reading of a picture.

@@ -2,6 +2,7 @@
 #include "luxel/patch/patch_set.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -73,6 +74,15 @@ std::vector<float> PatchSet::mean_sky() const {
   std::vector<float> mean;
   for (const auto s : sum) mean.push_back(static_cast<float>(s / angle));
   return mean;
+}
+
+double PatchSet::ground_over_sky() const {
+  if (!has_sky() || has_even_sky() || sky_patches.lower_half() == LowerHalf::mirrored) return 1.0;
+  const auto above = mean_sky();
+  const auto of_sky = std::accumulate(above.begin(), above.end(), 0.0);
+  const auto ground = sky.begin();
+  const auto of_ground = std::accumulate(ground, ground + static_cast<std::ptrdiff_t>(above.size()), 0.0);
+  return of_sky > 0.0 ? of_ground / of_sky : 1.0;
 }
 
 }  // namespace luxel

@@ -23,7 +23,7 @@ SkyPatches::SkyPatches(int subdivision, const Vec3d& zenith, const Vec3d& north,
       zenith_(zenith),
       north_(north),
       east_(glm::cross(north, zenith)) {
-  assert(subdivision >= 1 && subdivision <= 16);
+  assert(subdivision >= 0 && subdivision <= 16);
   const auto split = static_cast<std::size_t>(subdivision);
   const auto rows = tregenza_columns.size() * split;
   const auto height = 0.5 * std::numbers::pi / (static_cast<double>(rows) + 0.5);

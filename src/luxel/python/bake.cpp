@@ -56,7 +56,7 @@ Handle bake_scene(const SceneHandle& input, const GivenOptions& given, const Cal
     const Context context(call.threads);
     RunRecord record(0.0);
     auto scene = input.scene;
-    light_up(settings.scene, scene, context, reporter);
+    light_up(settings.scene, scene, context, reporter, settings.light.method);
     const RunPlace place{context, reporter, record};
     const BakeStages stages(settings, set, place);
     auto start = stages.begin(scene, false);

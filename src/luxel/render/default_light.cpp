@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/render/default_light.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -21,6 +22,18 @@ constexpr double closed =
 constexpr double absorbed = 0.5;  // assumed fraction of the light that a surface absorbs
 
 Vec3 white(double lux) { return Vec3(static_cast<float>(lux / luminous_efficacy)); }
+
+// up: unit; 0: unknown.
+void set_daylight(const Vec3d& up, DefaultSky sky, Scene& scene) {
+  const auto radiance = white(default_daylight / std::numbers::pi);
+  if (sky == DefaultSky::all_around || up == Vec3d(0.0)) {
+    scene.sky = radiance;
+    return;
+  }
+  const auto level = std::fabs(up.z) > 0.5 ? Vec3d(0.0, 1.0, 0.0) : Vec3d(0.0, 0.0, 1.0);
+  scene.sky_patches = SkyPatches(0, up, glm::normalize(level - glm::dot(level, up) * up));
+  scene.sky_radiance = {radiance * static_cast<float>(default_albedo), radiance};
+}
 
 double area_of(const Scene& scene, std::size_t triangle) {
   const auto& t = scene.triangles[triangle];
@@ -57,13 +70,12 @@ std::vector<std::string> light_lamp_materials(Scene& scene, double flux) {
 
 }  // namespace
 
-DefaultLight add_default_light(Scene& scene, const Context& context) {
+DefaultLight add_default_light(Scene& scene, const Context& context, DefaultSky sky) {
   if (has_light(scene) || scene.triangles.empty()) return {};
   const auto patches = make_patches(scene, {.max_edge = no_max_edge, .contacts = false}, context.quiet());
   const Tracer tracer(patches, context.quiet());
-  const auto daylight = white(default_daylight / std::numbers::pi);
   if (sky_reach(patches, tracer, context) >= closed) {
-    scene.sky = daylight;
+    set_daylight(Vec3d(patches.up), sky, scene);
     return {.kind = DefaultLightKind::daylight};
   }
   const auto flux = flux_for(scene);
@@ -71,7 +83,7 @@ DefaultLight add_default_light(Scene& scene, const Context& context) {
     return {.kind = DefaultLightKind::lamp_materials, .materials = std::move(names)};
   const auto squares = place_luminaires(patches, tracer, context);
   if (squares.empty()) {
-    scene.sky = daylight;
+    set_daylight(Vec3d(patches.up), sky, scene);
     return {.kind = DefaultLightKind::daylight};
   }
   add_luminaires(squares, white(1.0) * static_cast<float>(flux), scene);

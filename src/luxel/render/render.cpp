@@ -59,6 +59,7 @@ struct Shot {
   const SkyColours& sky;
   const PaneColours& panes;
   Vec3d zenith;
+  double ground;  // see sky_look()
 };
 
 // light: scratch, [band] of the side that is seen, [band] of the other one.
@@ -131,11 +132,12 @@ Vec3 pixel_radiance(const Shot& shot, int x, int y, PixelParts& parts) {
     const auto ray = shot.pinhole.ray_in_cell(x, y, key, cell, side);
     const auto hit = shot.tracer.nearest(ray);
     const auto lamp = shot.luminaires.empty() ? std::nullopt : shot.luminaires.first(ray, hit.distance);
-    const auto radiance = shot.panes.along(ray, lamp ? lamp->distance : hit.distance) *
-                          (lamp ? lamp->radiance : radiance_at(shot, ray, hit, parts.light));
-    const auto displayed = hit || lamp || !shot.sky.is_even()
-                               ? radiance
-                               : sky_look(radiance, glm::dot(Vec3d(ray.direction), shot.zenith));
+    const auto passed = shot.panes.along(ray, lamp ? lamp->distance : hit.distance);
+    const auto radiance = passed * (lamp ? lamp->radiance : radiance_at(shot, ray, hit, parts.light));
+    const auto displayed =
+        hit || lamp || !shot.sky.is_even_above()
+            ? radiance
+            : passed * sky_look(shot.sky.above(), shot.ground, glm::dot(Vec3d(ray.direction), shot.zenith));
     sum += radiance;
     shown += displayed;
     of_sky += hit || lamp ? 0 : 1;
@@ -163,8 +165,8 @@ Picture render_picture(const PatchSet& patches, const SmoothLight& light, const 
   const PaneColours panes(patches, colours);
   const FineColours fine(patches, context);
   const VisibleLuminaires luminaires(patches, colours);
-  const Shot shot{patches, light,      tracer, pinhole, options,          colours,
-                  fine,    luminaires, sky,    panes,   zenith_of(camera)};
+  const Shot shot{patches, light,      tracer, pinhole, options,           colours,
+                  fine,    luminaires, sky,    panes,   zenith_of(camera), ground_look(patches)};
   Picture picture{Image(options.width, options.height), {parts_per_pixel(options), {}, {}}, {}};
 
   const auto width = static_cast<std::size_t>(options.width);

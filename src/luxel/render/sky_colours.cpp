@@ -13,7 +13,7 @@ SkyColours::SkyColours(const PatchSet& patches, const BandColours& colours) : pa
 
 Vec3d SkyColours::at(const Vec3d& direction) const {
   if (radiance_.empty()) return Vec3d(0.0);
-  if (is_even()) return radiance_[0];
+  if (patches_.is_one()) return radiance_[0];
   Vec3d sum(0.0);
   for (const auto& [patch, weight] : patches_.around(direction)) sum += weight * radiance_[patch];
   return sum;

@@ -14,7 +14,10 @@ class SkyColours {
  public:
   SkyColours(const PatchSet& patches, const BandColours& colours);
 
-  bool is_even() const { return radiance_.size() <= 1; }
+  // Returns whether all directions above the horizon have one radiance.
+  bool is_even_above() const { return radiance_.empty() || patches_.upper() == 1; }
+  // Where is_even_above(): that radiance.
+  Vec3d above() const { return radiance_.empty() ? Vec3d(0.0) : radiance_.back(); }
   // direction: unit.
   Vec3d at(const Vec3d& direction) const;
 

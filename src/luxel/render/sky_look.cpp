@@ -20,9 +20,11 @@ constexpr std::size_t pixels_per_chunk = 256;
 
 }  // namespace
 
-Vec3d sky_look(const Vec3d& radiance, double height) {
+double ground_look(const PatchSet& patches) { return std::min(SkyLook::below, patches.ground_over_sky()); }
+
+Vec3d sky_look(const Vec3d& radiance, double ground, double height) {
   using S = SkyLook;
-  if (height < 0.0) return glm::mix(1.0, S::below, std::min(1.0, -height / S::haze)) * radiance;
+  if (height < 0.0) return glm::mix(1.0, ground, std::min(1.0, -height / S::haze)) * radiance;
   const auto low = 1.0 - std::min(1.0, height);
   return glm::mix(Vec3d(S::zenith[0], S::zenith[1], S::zenith[2]), Vec3d(1.0), low * low * low * low * low) *
          radiance;
@@ -53,7 +55,7 @@ SkyPixels sky_pixels(const Image& radiance, const PatchSet& patches, const Trace
   const auto zenith = zenith_of(camera);
   const SkyColours colours(patches, patches.colours());
   const PaneColours panes(patches, patches.colours());
-  const auto sky = colours.at(zenith);
+  const auto ground = ground_look(patches);
   const auto side = options.samples_per_side;
   const auto width = static_cast<std::size_t>(radiance.width);
   std::vector<SkyPixels> chunks((radiance.pixels.size() + pixels_per_chunk - 1) / pixels_per_chunk);
@@ -65,9 +67,11 @@ SkyPixels sky_pixels(const Image& radiance, const PatchSet& patches, const Trace
       const auto ray = pinhole.ray_in_cell(static_cast<double>(pixel % width),
                                            static_cast<double>(pixel / width), key, cell, side);
       if (tracer.nearest(ray)) continue;
-      if (colours.is_even())
+      if (colours.is_even_above()) {
+        const Vec3d direction(ray.direction);
         shown += panes.along(ray, std::numeric_limits<float>::infinity()) *
-                 (sky_look(sky, glm::dot(Vec3d(ray.direction), zenith)) - sky);
+                 (sky_look(colours.above(), ground, glm::dot(direction, zenith)) - colours.at(direction));
+      }
       ++seen;
     }
     if (seen == 0) return;

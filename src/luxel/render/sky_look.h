@@ -5,6 +5,7 @@
 
 #include "luxel/core/vector.h"
 #include "luxel/image/tone.h"
+#include "luxel/patch/patch_set.h"
 #include "luxel/scene/camera.h"
 
 namespace luxel {
@@ -13,14 +14,17 @@ namespace luxel {
 // radiance of the sky, which the horizon has.
 struct SkyLook {
   static constexpr double zenith[3] = {0.20, 0.40, 0.80};  // reached by the fifth power of 1 - height
-  static constexpr double below = 0.75;                    // below the horizon
+  static constexpr double below = 0.75;                    // at most, below the horizon
   static constexpr double haze = 0.06;                     // sine of the depth at which that is reached
 };
 
-// Radiance of a uniform sky in displays: its own at the horizon, bluer and darker towards the zenith, grey
-// below the horizon. The light of the scene has no part in it, and files of radiance keep the true value.
-// height: sine of the angle above the horizon, [-1, 1].
-Vec3d sky_look(const Vec3d& radiance, double height);
+// Returns the radiance of the ground in displays, relative to that of the sky.
+double ground_look(const PatchSet& patches);
+
+// Radiance of a uniform sky in displays: its own at the horizon, bluer and darker towards the zenith, and
+// that of the ground below. The light of the scene has no part in it, and files of radiance keep the true
+// value. ground: relative, see ground_look(). height: sine of the angle above the horizon, [-1, 1].
+Vec3d sky_look(const Vec3d& radiance, double ground, double height);
 
 // Unit vector of the camera's up direction; zero where up is zero.
 Vec3d zenith_of(const Camera& camera);

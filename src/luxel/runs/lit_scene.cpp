@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "luxel/lamps/luminaire_check.h"
-#include "luxel/render/default_light.h"
+#include "luxel/session/default_sky.h"
 #include "luxel/session/words.h"
 
 namespace luxel {
@@ -17,9 +17,9 @@ std::string describe_scene(const std::string& file, const Scene& scene, const Pa
 }
 
 Scene load_lit_scene(const SceneSettings& settings, const std::string& up, const Context& context,
-                     Reporter& reporter) {
+                     Reporter& reporter, Method method) {
   auto scene = load_scene(settings.file, load_options(settings, up), reporter.reporting(context));
-  light_up(settings, scene, context, reporter);
+  light_up(settings, scene, context, reporter, method);
   return scene;
 }
 
@@ -30,10 +30,11 @@ LoadOptions load_options(const SceneSettings& settings, const std::string& up) {
   return options;
 }
 
-void light_up(const SceneSettings& settings, Scene& scene, const Context& context, Reporter& reporter) {
+void light_up(const SceneSettings& settings, Scene& scene, const Context& context, Reporter& reporter,
+              Method method) {
   for (const auto& group : move_luminaires_free(scene, context)) reporter.say("light", moved_text(group));
   if (!settings.daylight.adds_default_light()) return;
-  const auto added = add_default_light(scene, context);
+  const auto added = add_default_light(scene, context, default_sky(method));
   if (added.kind != DefaultLightKind::not_needed)
     reporter.say("light", reporter.worded(added.as_text(), added.hints()));
 }

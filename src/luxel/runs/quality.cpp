@@ -2,7 +2,6 @@
 #include "luxel/runs/quality.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -67,7 +66,8 @@ void QualitySettings::declare(OptionSet& set) {
 }
 
 bool has_bound_of_quality(const OptionSet& set, const std::string& option) {
-  return set.is_given(option) || !(set.is_given("error") || set.is_given("rays") || set.is_given("time"));
+  return set.is_given(option) || std::none_of(bounds_of_run.begin(), bounds_of_run.end(),
+                                              [&](const char* b) { return set.is_given(b); });
 }
 
 void drop_bounds_of_quality(OptionSet& set) {

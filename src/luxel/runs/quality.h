@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "luxel/runs/option_set.h"
@@ -14,6 +15,9 @@ struct QualitySettings {
   // Call after the other options are declared: gives those of the table their defaults.
   void declare(OptionSet& set);
 };
+
+// Options that end a run in the place of those of a quality.
+inline constexpr std::array bounds_of_run = {"error", "rays", "time"};
 
 // Returns whether a number of rays that a quality has, ray-budget or cheap-rays, applies to a run with these
 // options: not where the user gave another bound, unless this number is given too.

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "luxel/runs/quality.h"
+
 namespace luxel {
 
 void restore_options(const std::vector<std::pair<std::string, std::string>>& changes,
@@ -15,7 +17,7 @@ void restore_options(const std::vector<std::pair<std::string, std::string>>& cha
     return std::any_of(changes.begin(), changes.end(), [&](const auto& c) { return c.first == name; });
   };
   // A new bound ends the run where it says, as in a bake.
-  if ((is_changed("error") || is_changed("rays") || is_changed("time")) && !is_changed("cheap-rays"))
+  if (std::any_of(bounds_of_run.begin(), bounds_of_run.end(), is_changed) && !is_changed("cheap-rays"))
     options.set_default("cheap-rays", "none");
   auto used = options.used_values(RunSettings::heading);
   if (used == provenance.options) return;

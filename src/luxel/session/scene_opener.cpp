@@ -14,6 +14,7 @@
 #include "luxel/patch/patch_tree.h"
 #include "luxel/patch/uncut_faces.h"
 #include "luxel/render/default_light.h"
+#include "luxel/session/default_sky.h"
 #include "luxel/solution/solution_file.h"
 #include "luxel/solve/bake.h"
 
@@ -30,7 +31,7 @@ SceneOpener::OpenedScene SceneOpener::open_scene() const {
   if (loaded.triangles.empty()) return opened;  // it was stopped: a scene without triangles is an error
   for (const auto& group : move_luminaires_free(loaded, context_)) context_.note(moved_text(group));
   if (settings_.adds_default_light) {
-    const auto added = add_default_light(loaded, context_);
+    const auto added = add_default_light(loaded, context_, default_sky(settings_.light.method));
     if (added.kind != DefaultLightKind::not_needed) context_.note(added.as_text());
   }
   const auto scene = std::make_shared<const Scene>(std::move(loaded));

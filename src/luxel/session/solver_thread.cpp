@@ -12,6 +12,15 @@
 #include "luxel/solution/solution_file.h"
 
 namespace luxel {
+namespace {
+
+// A person's error is where the run ends, though the light be cheap.
+void set_error(double error, LightOptions& light) {
+  light.sampled.error = error;
+  light.sampled.cheap_rays = 0;
+}
+
+}  // namespace
 
 SolverThread::SolverThread(SessionChannels& channels, std::filesystem::path file, SessionSettings settings)
     : channels_(channels),
@@ -93,11 +102,8 @@ std::optional<command::Solve> SolverThread::next_solve() {
   auto order = std::exchange(pending_.solve, {});
   if (const auto error = std::exchange(pending_.error, {})) {
     if (!order && is_sampled()) order = command::Solve{light_};
-    for (auto* light : {order ? &order->light : nullptr, &light_})
-      if (light) {
-        light->sampled.error = *error;
-        light->sampled.cheap_rays = 0;  // who sets an error means it
-      }
+    if (order) set_error(*error, order->light);
+    set_error(*error, light_);
     set_options(light_);
   }
   pending_.stops = false;

@@ -170,8 +170,8 @@ void read_sky(Hdf5Reader& file, PatchSet& patches) {
     const Vec3d zenith(axes[0], axes[1], axes[2]), north(axes[3], axes[4], axes[5]);
     const auto cut = file.array<std::uint32_t>("Luxel/sky_subdivision", 2);
     const auto is_unit = [](const Vec3d& v) { return std::fabs(glm::dot(v, v) - 1.0) < 1e-6; };
-    if (!is_unit(zenith) || !is_unit(north) || !(std::fabs(glm::dot(zenith, north)) < 1e-6) || cut[0] < 1 ||
-        cut[0] > 16 || cut[1] > 1)
+    if (!is_unit(zenith) || !is_unit(north) || !(std::fabs(glm::dot(zenith, north)) < 1e-6) || cut[0] > 16 ||
+        cut[1] > 1)
       file.refuse_as_damaged("the axes of its sky are not at right angles, or its patches are too many");
     patches.sky_patches = SkyPatches(static_cast<int>(cut[0]), zenith, north,
                                      cut[1] == 1 ? LowerHalf::mirrored : LowerHalf::one);

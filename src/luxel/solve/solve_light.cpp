@@ -87,6 +87,8 @@ std::optional<Method> method_named(std::string_view name) {
   return {};
 }
 
+bool takes_uneven_sky(Method method) { return method == Method::sampled || method == Method::shooting; }
+
 SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                         const LightOptions& options, const SolveHooks& hooks, const Context& context) {
   auto report = solve_by_method(patches, tracer, solution, options, hooks, context);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "luxel/render/sky_look.h"
 #include "luxel/viewer/side_values.h"
 
 namespace luxel {
@@ -181,7 +182,7 @@ void Painter::draw_luminaires(SurfaceView view) {
 void Painter::draw_sky(const SurfaceView& view, const Space& space) const {
   if (!mesh_ || !mesh_->patches->has_sky() || !light_) return;
   const auto radiance = in_gamut(mesh_->patches->colours().rgb(mesh_->patches->mean_sky()));
-  if (radiance != Vec3(0.0f)) sky_.draw(view, radiance, space.up);
+  if (radiance != Vec3(0.0f)) sky_.draw(view, radiance, ground_look(*mesh_->patches), space.up);
 }
 
 }  // namespace luxel

@@ -45,7 +45,8 @@ GlProgram program(std::string_view define) {
 SkyBackdrop::SkyBackdrop()
     : plain_(program("")), local_(program("#define LOCAL")), curve_input_(program("#define INPUT")) {}
 
-void SkyBackdrop::draw(const SurfaceView& view, const Vec3& radiance, const Vec3& zenith) const {
+void SkyBackdrop::draw(const SurfaceView& view, const Vec3& radiance, double ground,
+                       const Vec3& zenith) const {
   const auto& chosen = view.paint == Paint::curve_input ? curve_input_
                        : view.local != nullptr          ? local_
                                                         : plain_;
@@ -58,7 +59,7 @@ void SkyBackdrop::draw(const SurfaceView& view, const Vec3& radiance, const Vec3
   chosen.set("sky", radiance);
   chosen.set("zenith", zenith);
   chosen.set("at_zenith", Vec3(SkyLook::zenith[0], SkyLook::zenith[1], SkyLook::zenith[2]));
-  chosen.set("below", static_cast<float>(SkyLook::below));
+  chosen.set("below", static_cast<float>(ground));
   chosen.set("haze", static_cast<float>(SkyLook::haze));
   covers_.draw();
 }

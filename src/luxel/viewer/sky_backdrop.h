@@ -15,8 +15,8 @@ class SkyBackdrop {
   SkyBackdrop();
 
   // Covers the framebuffer that is bound; surfaces are drawn over it afterwards. view: its paint is light or
-  // curve_input. radiance: of the sky, W/(m² sr); zenith: unit.
-  void draw(const SurfaceView& view, const Vec3& radiance, const Vec3& zenith) const;
+  // curve_input. radiance: of the sky, W/(m² sr); ground: see sky_look(); zenith: unit.
+  void draw(const SurfaceView& view, const Vec3& radiance, double ground, const Vec3& zenith) const;
 
  private:
   FullScreenTriangle covers_;

@@ -18,8 +18,8 @@ Vec3d towards(double elevation, double azimuth) {
 }
 
 TEST(SkyPatches, are_as_many_as_reinhart_has) {
-  for (const auto& [subdivision, count] :
-       {std::pair(1, 145), std::pair(2, 577), std::pair(3, 1297), std::pair(4, 2305), std::pair(6, 5185)}) {
+  for (const auto& [subdivision, count] : {std::pair(0, 1), std::pair(1, 145), std::pair(2, 577),
+                                           std::pair(3, 1297), std::pair(4, 2305), std::pair(6, 5185)}) {
     const SkyPatches patches(subdivision, up, north);
     EXPECT_EQ(patches.size(), 1u + static_cast<std::size_t>(count));
     EXPECT_EQ(patches.upper(), static_cast<std::size_t>(count));
@@ -64,7 +64,8 @@ TEST_P(SubdividedSky, covers_every_direction_once) {
 }
 
 INSTANTIATE_TEST_SUITE_P(all, SubdividedSky,
-                         testing::Values(std::pair(1, LowerHalf::one), std::pair(2, LowerHalf::one),
+                         testing::Values(std::pair(0, LowerHalf::one), std::pair(0, LowerHalf::mirrored),
+                                         std::pair(1, LowerHalf::one), std::pair(2, LowerHalf::one),
                                          std::pair(4, LowerHalf::mirrored), std::pair(8, LowerHalf::one)));
 
 TEST(SkyPatches, turn_with_north) {

@@ -99,10 +99,23 @@ TEST_F(DefaultLightTest, a_scene_with_a_lamp_stays_as_it_is) {
 TEST_F(DefaultLightTest, a_solid_gets_a_sky_that_gives_the_stated_illuminance) {
   const auto added = light(Boxes().add({}, room, Facing::outwards));
   EXPECT_EQ(added.kind, DefaultLightKind::daylight);
-  const auto& sky = scene_.sky;
+  ASSERT_EQ(scene_.sky_radiance.size(), 2u);
+  const auto& sky = scene_.sky_radiance[1];
   EXPECT_NEAR(std::numbers::pi * lumens(sky.r, sky.g, sky.b), default_daylight, 1e-6 * default_daylight);
+  EXPECT_EQ(scene_.sky_patches.patch_of({0.0, 0.1, 0.99}), 1u) << "up is +Y";
+  EXPECT_EQ(scene_.sky_patches.patch_of({0.0, -0.1, 0.99}), 0u);
+  EXPECT_EQ(scene_.sky_radiance[0], sky * static_cast<float>(default_albedo));
   EXPECT_EQ(scene_.added_triangles, 0u);
   EXPECT_EQ(added.hints(), (std::vector<Hint>{{Setting::sky, "RADIANCE"}}));
+}
+
+TEST_F(DefaultLightTest, the_sky_of_all_directions_is_uniform) {
+  scene_ = files_.load_text(Boxes().add({}, room, Facing::outwards).text());
+  add_default_light(scene_, {}, DefaultSky::all_around);
+  EXPECT_TRUE(scene_.sky_patches.is_one());
+  EXPECT_TRUE(scene_.sky_radiance.empty());
+  const auto& sky = scene_.sky;
+  EXPECT_NEAR(std::numbers::pi * lumens(sky.r, sky.g, sky.b), default_daylight, 1e-6 * default_daylight);
 }
 
 TEST_F(DefaultLightTest, a_closed_room_gets_one_luminaire_that_faces_down_from_the_middle_of_its_ceiling) {
