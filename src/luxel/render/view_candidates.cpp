@@ -130,7 +130,7 @@ std::vector<std::vector<View>> views_from_outside(const Subject& subject) {
   std::vector<std::vector<View>> all;
   for (int k = 0; k < turns_outside; ++k) {
     auto& views = all.emplace_back();
-    for (const auto pitch : {0.0f, -0.04f, -0.08f}) {
+    for (const auto pitch : {0.0f, -0.03f, -0.06f}) {
       for (const auto crop : {1.0f, 0.85f}) {
         View view{subject.box.center(), static_cast<float>(k) / turns_outside, pitch, fov};
         const auto camera = camera_of(view, subject.up, subject.diagonal);

@@ -138,6 +138,11 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
   const auto pixel_side = 2.0 * tangent_of_degrees(0.5 * static_cast<double>(camera.vertical_fov)) / rows;
   const auto forward = glm::normalize(camera.target - camera.eye);
 
+  const auto margin = std::max(1, rows / 12);
+  const auto is_border = [&](int x, int y) {
+    return std::min(x, columns - 1 - x) < margin || std::min(y, rows - 1 - y) < margin;
+  };
+
   ViewFacts facts;
   std::vector<Hit> picture;
   std::vector<Hit> hits;
@@ -148,7 +153,7 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
       if (!hit) continue;
       hits.push_back(hit);
       facts.lopsided += x < columns / 2 ? 1.0 : x >= columns - columns / 2 ? -1.0 : 0.0;
-      if (x == 0 || y == 0 || x == columns - 1 || y == rows - 1) facts.border += 1.0;
+      if (is_border(x, y)) facts.border += 1.0;
       const auto cosine = static_cast<double>(glm::dot(ray.direction, forward));
       add_hit(subject, ray, hit, pixel_side * pixel_side * cosine * cosine * cosine, pixels, facts);
     }
@@ -156,7 +161,7 @@ ViewFacts look(const Subject& subject, const Camera& camera, int rows) {
   facts.detail = detail_of(subject, picture, static_cast<std::size_t>(columns));
   facts.depth = geometric_mean_distance(hits);
   facts.near = near_count(subject, hits, facts.depth) / pixels;
-  facts.border /= 2.0 * (rows + columns) - 4.0;
+  facts.border /= pixels - (columns - 2.0 * margin) * (rows - 2.0 * margin);
   facts.gap = gap_at_outline(subject, pinhole, columns, rows);
   facts.lopsided = std::abs(facts.lopsided) / pixels;
   facts.rise = static_cast<double>(glm::dot(forward, subject.up));
@@ -174,11 +179,12 @@ double score(const ViewFacts& f, double openness) {
   const auto filled = 1.0 - std::min(f.empty, allowed);
   // In the open, an object cut off at the border lowers the score; in a room the picture always ends on
   // walls.
-  const auto cut_off = beyond(openness, 0.5) * f.border;
+  const auto open = beyond(openness, 0.5);  // 0.5: a solid, whose top shows where it is seen from above
+  const auto cut_off = 8.0 * open * open * f.border;
   return 0.5 * std::log(f.bright / filled + 0.02) + 0.6 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
          1.5 * std::min(f.detail, 0.4) - 3.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -
          2.0 * beyond(f.empty, allowed) - 1.5 * f.lopsided - 1.5 * cut_off - gap_weight(openness) * f.gap -
-         1.5 * beyond(f.rise, 0.02) - 1.0 * beyond(-f.rise, 0.13);
+         1.5 * beyond(f.rise, 0.02) - (1.0 - 2.0 * open) * beyond(-f.rise, 0.13);
 }
 
 }  // namespace luxel
