@@ -60,7 +60,7 @@ std::string view(const Vec3d& origin) {
   return " --up z --width 48 --height 32 --eye " + at(origin, {1.5, -1.5, 0.25}) + " --target " +
          at(origin, {-1.0, 1.0, -0.5});
 }
-const std::string bake = " --max-edge 0.5 --error 5% --quiet ";
+const std::string far_options = " --max-edge 0.5 --error 5% --quiet ";
 
 // The k-th of the numbers that a PLY's body begins with.
 template <typename T>
@@ -71,8 +71,8 @@ T number(const std::string& ply, std::size_t byte) {
 }
 
 TEST_F(Far, pictures_are_the_same_and_cameras_stand_where_they_were_put) {
-  run("$LUXEL bake near.obj -o near.png" + bake + view(Vec3d(0.0)));
-  const auto json = Json::parse(run("$LUXEL bake far.obj -o far.png --json" + bake + view(place)));
+  run("$LUXEL bake near.obj -o near.png" + far_options + view(Vec3d(0.0)));
+  const auto json = Json::parse(run("$LUXEL bake far.obj -o far.png --json" + far_options + view(place)));
   EXPECT_EQ(bytes("near.png"), bytes("far.png"));
   EXPECT_EQ(json["camera"]["eye"], (Json{100'001.5, -1'000'001.5, 800.25}));
   EXPECT_EQ(json["camera"]["target"], (Json{99'999.0, -999'999.0, 799.5}));
@@ -84,8 +84,8 @@ TEST_F(Far, pictures_are_the_same_and_cameras_stand_where_they_were_put) {
 }
 
 TEST_F(Far, meshes_lie_where_the_file_has_them) {
-  run("$LUXEL bake near.obj -o near.ply -o near.glb --up z" + bake);
-  run("$LUXEL bake far.obj -o far.ply -o far.glb --up z" + bake);
+  run("$LUXEL bake near.obj -o near.ply -o near.glb --up z" + far_options);
+  run("$LUXEL bake far.obj -o far.ply -o far.glb --up z" + far_options);
   const auto near = bytes("near.ply"), far = bytes("far.ply");
   EXPECT_NE(far.find("property double x\nproperty double y\nproperty double z\nproperty float nx\n"),
             std::string::npos);
@@ -112,9 +112,9 @@ TEST_F(Far, meshes_lie_where_the_file_has_them) {
 }
 
 TEST_F(Far, solutions_hold_the_coordinates_of_the_file) {
-  run("$LUXEL bake near.obj -o near.vtkhdf" + bake);
-  run("$LUXEL bake far.obj -o far.vtkhdf" + bake);
-  run("$LUXEL bake far.obj -o other.vtkhdf --seed 2" + bake);
+  run("$LUXEL bake near.obj -o near.vtkhdf" + far_options);
+  run("$LUXEL bake far.obj -o far.vtkhdf" + far_options);
+  run("$LUXEL bake far.obj -o other.vtkhdf --seed 2" + far_options);
   const auto near = read_solution(folder_ / "near.vtkhdf"), far = read_solution(folder_ / "far.vtkhdf");
   EXPECT_EQ(near.patches.origin, Vec3d(0.0));
   EXPECT_EQ(far.patches.origin, place);

@@ -14,7 +14,8 @@ namespace luxel::cli {
 namespace {
 
 using Json = nlohmann::json;
-const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.2 --error 10% --width 64 --height 48 ";
+const std::string small_bake =
+    "$LUXEL bake cornell-box.obj --max-edge 0.2 --error 10% --width 64 --height 48 ";
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -25,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(LastWords, are_what_was_written_how_accurate_it_is_and_what_it_took) {
   const auto folder = fresh_folder("last_words");
-  const auto run = cli::run(folder, bake + "-o a.png -o a.vtkhdf");
+  const auto run = cli::run(folder, small_bake + "-o a.png -o a.vtkhdf");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\na.png\n");
   const auto lines = lines_of(run.err);
@@ -43,18 +44,19 @@ TEST(LastWords, are_what_was_written_how_accurate_it_is_and_what_it_took) {
 
 TEST(LastWords, of_a_mesh_alone_have_no_camera) {
   const auto folder = fresh_folder("last_words_mesh");
-  const auto run = cli::run(folder, bake + "-o a.glb");
+  const auto run = cli::run(folder, small_bake + "-o a.glb");
   EXPECT_EQ(run.err.find("camera"), std::string::npos) << run.err;
-  EXPECT_NE(cli::run(folder, bake + "-o a.glb --verbose").err.find("camera    --eye"), std::string::npos);
+  EXPECT_NE(cli::run(folder, small_bake + "-o a.glb --verbose").err.find("camera    --eye"),
+            std::string::npos);
 }
 
 TEST(LastWords, are_none_if_quiet_and_none_but_json_if_that_is_requested) {
   const auto folder = fresh_folder("last_words_quiet");
-  const auto run = cli::run(folder, bake + "-o a.png --quiet --flip lamp");
+  const auto run = cli::run(folder, small_bake + "-o a.png --quiet --flip lamp");
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.out + run.err, "");
   EXPECT_TRUE(std::filesystem::exists(folder / "a.png"));
-  const auto json = cli::run(folder, bake + "-o a.png --quiet --json");
+  const auto json = cli::run(folder, small_bake + "-o a.png --quiet --json");
   EXPECT_EQ(json.err, "");
   EXPECT_EQ(Json::parse(json.out)["outputs"], Json::array({"a.png"}));
   const auto wrong = cli::run(folder, "$LUXEL bake none.obj --quiet");
@@ -63,7 +65,7 @@ TEST(LastWords, are_none_if_quiet_and_none_but_json_if_that_is_requested) {
 
 TEST(LastWords, with_a_time_that_is_too_short_begin_with_a_warning_and_reassure_with_no_number) {
   const auto folder = fresh_folder("short_time");
-  const auto run = cli::run(folder, bake + "-o a.png -o a.vtkhdf --time 0.001s --json");
+  const auto run = cli::run(folder, small_bake + "-o a.png -o a.vtkhdf --time 0.001s --json");
   EXPECT_EQ(run.code, 3);
   const auto warning = run.err.find("warning: --time 0.001s is less than this run needs, at least about ");
   ASSERT_NE(warning, std::string::npos) << run.err;
@@ -84,7 +86,7 @@ TEST(Open, starts_the_desktops_program_with_the_first_picture) {
              "#!/bin/sh\nprintf %s \"$1\" > opened.tmp\nmv opened.tmp opened.txt\n");
   std::filesystem::permissions(folder / "programs/xdg-open", std::filesystem::perms::owner_all);
   const auto run =
-      cli::run(folder, "export PATH=\"$PWD/programs:$PATH\" DISPLAY=:7; " + bake +
+      cli::run(folder, "export PATH=\"$PWD/programs:$PATH\" DISPLAY=:7; " + small_bake +
                            "-o a.glb -o a.png -o a.vtkhdf --open; "
                            "for i in $(seq 200); do test -e opened.txt && break; sleep 0.05; done");
   EXPECT_EQ(run.err.find("--open"), std::string::npos) << run.err;
@@ -93,13 +95,13 @@ TEST(Open, starts_the_desktops_program_with_the_first_picture) {
 
 TEST(Open, without_a_desktop_says_so_and_fails_nothing) {
   const auto folder = fresh_folder("open_nothing");
-  const auto bare = cli::run(folder, "unset DISPLAY WAYLAND_DISPLAY; " + bake + "-o a.png --open");
+  const auto bare = cli::run(folder, "unset DISPLAY WAYLAND_DISPLAY; " + small_bake + "-o a.png --open");
   EXPECT_EQ(bare.code, 0);
   EXPECT_NE(bare.err.find("warning: --open: there is no desktop here"), std::string::npos) << bare.err;
-  const auto missing = cli::run(folder, "PATH=/nowhere DISPLAY=:7 " + bake + "-o a.png --open");
+  const auto missing = cli::run(folder, "PATH=/nowhere DISPLAY=:7 " + small_bake + "-o a.png --open");
   EXPECT_EQ(missing.code, 0);
   EXPECT_NE(missing.err.find("xdg-open is not installed"), std::string::npos) << missing.err;
-  const auto solution = cli::run(folder, "DISPLAY=:7 " + bake + "-o a.vtkhdf --open");
+  const auto solution = cli::run(folder, "DISPLAY=:7 " + small_bake + "-o a.vtkhdf --open");
   EXPECT_NE(solution.err.find("no picture, page or mesh"), std::string::npos) << solution.err;
 }
 

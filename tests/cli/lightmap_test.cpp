@@ -15,14 +15,14 @@ namespace luxel::cli {
 namespace {
 
 using Json = nlohmann::json;
-const std::string bake =
+const std::string bake_for_maps =
     "$LUXEL bake cornell-box.obj --max-edge 0.15 --error 20% --quiet -o box.vtkhdf > bake.txt && ";
 const std::string lightmap = "$LUXEL lightmap box.vtkhdf --texels-per-metre 20 ";
 
 TEST(LightmapCommand, writes_pages_an_error_map_and_a_preview) {
   const auto folder = fresh_folder("lightmap");
   const auto run =
-      cli::run(folder, bake + lightmap +
+      cli::run(folder, bake_for_maps + lightmap +
                            "-o map.exr -o map.png --png-white 50 --final-gather 20% "
                            "--error-map error.exr --preview view.png --width 40 --height 30 --json");
   ASSERT_EQ(run.code, 0) << run.err;
@@ -53,9 +53,9 @@ TEST(LightmapCommand, writes_pages_an_error_map_and_a_preview) {
 
 TEST(LightmapCommand, gives_the_same_bytes_on_any_number_of_threads_and_numbers_its_pages) {
   const auto folder = fresh_folder("lightmap_repeats");
-  const auto run =
-      cli::run(folder, bake + lightmap + "-o a.exr --page-size 32 --final-gather none --threads 1 && " +
-                           lightmap + "-o b.exr --page-size 32 --final-gather none --threads 5");
+  const auto run = cli::run(folder, bake_for_maps + lightmap +
+                                        "-o a.exr --page-size 32 --final-gather none --threads 1 && " +
+                                        lightmap + "-o b.exr --page-size 32 --final-gather none --threads 5");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out.substr(0, 21), "a.exr\na-2.exr\na-3.exr");
   EXPECT_EQ(read_file(folder / "a.exr"), read_file(folder / "b.exr"));
@@ -66,10 +66,10 @@ TEST(LightmapCommand, gives_the_same_bytes_on_any_number_of_threads_and_numbers_
 TEST(LightmapCommand, lays_surfaces_out_as_the_scenes_file_has_them) {
   const auto folder = fresh_folder("lightmap_scene");
   const std::string pages = "--texels-per-metre 40 --final-gather none ";
-  const auto made =
-      cli::run(folder, bake + "$LUXEL export box.vtkhdf --scene cornell-box.obj --as lightmap " + pages +
-                           "-o laid.glb --quiet && "
-                           "$LUXEL bake laid.glb --sky 1 --max-edge 0.15 --error 20% -o laid.vtkhdf --quiet");
+  const auto made = cli::run(
+      folder, bake_for_maps + "$LUXEL export box.vtkhdf --scene cornell-box.obj --as lightmap " + pages +
+                  "-o laid.glb --quiet && "
+                  "$LUXEL bake laid.glb --sky 1 --max-edge 0.15 --error 20% -o laid.vtkhdf --quiet");
   ASSERT_EQ(made.code, 0) << made.err;
   const auto pages_of = [&](const std::string& line) {
     const auto run = cli::run(folder, "$LUXEL " + line + pages + "--json --quiet");
@@ -120,8 +120,8 @@ TEST(LightmapCommand, a_files_layout_of_pages_that_are_all_but_empty_is_not_take
 
 TEST(LightmapCommand, says_in_its_report_what_was_made) {
   const auto folder = fresh_folder("lightmap_report");
-  const auto run =
-      cli::run(folder, bake + lightmap + "-o map.exr --final-gather 1% --gather-rays 64 --quiet --json");
+  const auto run = cli::run(
+      folder, bake_for_maps + lightmap + "-o map.exr --final-gather 1% --gather-rays 64 --quiet --json");
   ASSERT_EQ(run.code, 0) << run.err;
   const auto pages = Json::parse(run.out)["pages"];
   EXPECT_EQ(pages["page_size"], read_image(folder / "map.exr").width);
@@ -138,7 +138,7 @@ TEST(LightmapCommand, and_export_say_that_they_were_stopped_while_texels_were_ga
   const auto folder = fresh_folder("lightmap_stopped");
   const std::string gather =
       " --texels-per-metre 200 --final-gather 0.01% --gather-rays 65536 --progress json";
-  ASSERT_EQ(cli::run(folder, bake + "true").code, 0);
+  ASSERT_EQ(cli::run(folder, bake_for_maps + "true").code, 0);
   for (const std::string line :
        {"$LUXEL lightmap box.vtkhdf -o map.exr", "$LUXEL export box.vtkhdf --as lightmap -o map.glb"}) {
     const auto run = run_interrupted(folder, line + gather, "grep -q texels stderr.txt");
@@ -152,7 +152,7 @@ TEST(LightmapCommand, and_export_say_that_they_were_stopped_while_texels_were_ga
 // Existing pages remain unchanged.
 TEST(LightmapCommand, and_export_write_nothing_when_stopped_after_the_texels) {
   const auto folder = fresh_folder("lightmap_stopped_late");
-  ASSERT_EQ(cli::run(folder, bake + "true").code, 0);
+  ASSERT_EQ(cli::run(folder, bake_for_maps + "true").code, 0);
   write_file(folder / "map.exr", "old");
   for (const std::string line : {"$LUXEL lightmap box.vtkhdf -o map.png -o map.exr",
                                  "$LUXEL export box.vtkhdf --as emissive -o map.glb"}) {
@@ -171,7 +171,7 @@ TEST(LightmapCommand, and_export_write_nothing_when_stopped_after_the_texels) {
 
 TEST(LightmapCommand, refuses_what_makes_no_sense_in_a_sentence) {
   const auto folder = fresh_folder("lightmap_refuses");
-  ASSERT_EQ(cli::run(folder, bake + "true").code, 0);
+  ASSERT_EQ(cli::run(folder, bake_for_maps + "true").code, 0);
   struct Misuse {
     std::string options, word;
     int code;

@@ -11,10 +11,10 @@ namespace luxel::cli {
 namespace {
 
 using Json = nlohmann::json;
-const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.3 -o a.vtkhdf ";
+const std::string coarse_bake = "$LUXEL bake cornell-box.obj --max-edge 0.3 -o a.vtkhdf ";
 
 Json json_of(const std::filesystem::path& folder, const std::string& options) {
-  const auto run = cli::run(folder, bake + options + " --json");
+  const auto run = cli::run(folder, coarse_bake + options + " --json");
   EXPECT_EQ(run.code, 0) << run.err;
   return Json::parse(run.out);
 }
@@ -23,8 +23,8 @@ TEST(Methods, each_says_what_it_is_likely_to_take_and_where_the_power_went) {
   const auto folder = fresh_folder("methods");
   for (const std::string method : {"dense", "hemicube", "lines"}) {
     const auto run =
-        cli::run(folder, bake + "--method " + method + (method == "dense" ? " --factor-tolerance 1e-3" : "") +
-                             " --json --verbose");
+        cli::run(folder, coarse_bake + "--method " + method +
+                             (method == "dense" ? " --factor-tolerance 1e-3" : "") + " --json --verbose");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_NE(run.err.find("method    " + method + " for "), std::string::npos) << run.err;
     EXPECT_NE(run.err.find(" of memory"), std::string::npos) << run.err;
@@ -54,7 +54,7 @@ TEST(Methods, each_says_which_error_it_knows) {
   const auto lines = json_of(folder, "--method lines --lines 500");
   EXPECT_EQ(lines["solve"]["error"]["kind"], "noise");
   EXPECT_GT(lines["solve"]["error"]["reached"], 0.01);
-  const auto run = cli::run(folder, bake + "--method hemicube --hemicube-resolution 32 --json");
+  const auto run = cli::run(folder, coarse_bake + "--method hemicube --hemicube-resolution 32 --json");
   const auto hemicube = Json::parse(run.out);
   EXPECT_EQ(hemicube["solve"]["error"]["kind"], "unknown");
   EXPECT_FALSE(hemicube["solve"]["error"].contains("reached"));
@@ -106,7 +106,7 @@ TEST(Methods, a_picture_after_each_step_has_the_exposure_of_the_last) {
   for (const char* method : {"--method hemicube --hemicube-resolution 32", "--method lines",
                              "--method dense --solver jacobi --factor-tolerance 1e-3"}) {
     std::filesystem::remove_all(folder / "steps");
-    const auto run = cli::run(folder, bake + method + small + "--verbose");
+    const auto run = cli::run(folder, coarse_bake + method + small + "--verbose");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.out, "a.vtkhdf\nlast.png\nsteps/step-001.png\nsteps/step-002.png\nsteps/step-003.png\n");
     EXPECT_NE(run.err.find("step limit: "), std::string::npos) << run.err;
@@ -126,18 +126,18 @@ TEST(Methods, options_of_another_method_are_refused) {
         std::pair{"--method dense --solver gauss-seidel --each-step x", "--each-step needs --solver jacobi"},
         std::pair{"--method dense --solver cramer", "expected one of direct|jacobi|gauss-seidel"},
         std::pair{"--each-step x", "--each-step needs --method dense|hemicube|lines"}}) {
-    const auto run = cli::run(folder, bake + options);
+    const auto run = cli::run(folder, coarse_bake + options);
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_NE(run.err.find(words), std::string::npos) << options << ": " << run.err;
   }
-  const auto run = cli::run(folder, bake + "--method hemicube --hemicube-points 5");
+  const auto run = cli::run(folder, coarse_bake + "--method hemicube --hemicube-points 5");
   EXPECT_NE(run.code, 0);
   EXPECT_NE(run.err.find("points"), std::string::npos) << run.err;
 }
 
 TEST(Methods, a_folder_that_cannot_be_made_is_refused_before_the_work) {
   const auto folder = fresh_folder("methods_folder");
-  const auto run = cli::run(folder, bake + "--method lines --each-step cornell-box.obj/steps");
+  const auto run = cli::run(folder, coarse_bake + "--method lines --each-step cornell-box.obj/steps");
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.err.find("--each-step: cannot make the folder"), std::string::npos) << run.err;
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string bake =
+const std::string bake_for_probes =
     "$LUXEL bake cornell-box.obj --max-edge 0.1 --error 20% --quiet -o box.vtkhdf > bake.txt && ";
 
 class Probe : public testing::Test {
@@ -22,7 +22,7 @@ class Probe : public testing::Test {
   static const std::filesystem::path& folder() {
     static const auto made = [] {
       auto fresh = fresh_folder("probe");
-      const auto run = cli::run(fresh, bake + "true");
+      const auto run = cli::run(fresh, bake_for_probes + "true");
       EXPECT_EQ(run.code, 0) << run.err;
       return fresh;
     }();

@@ -28,13 +28,13 @@ class Ranks : public testing::Test {
   }
 };
 
-const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.04 --error 2% --threads 1 ";
+const std::string fine_bake = "$LUXEL bake cornell-box.obj --max-edge 0.04 --error 2% --threads 1 ";
 
 TEST_F(Ranks, two_and_three_give_the_bytes_of_one_with_all_that_is_kept) {
   const auto folder = fresh_folder("ranks_same");
-  ASSERT_EQ(cli::run(folder, bake + "--store-transport -o one.vtkhdf --quiet").code, 0);
+  ASSERT_EQ(cli::run(folder, fine_bake + "--store-transport -o one.vtkhdf --quiet").code, 0);
   for (const int ranks : {2, 3}) {
-    const auto run = cli::run(folder, mpirun(ranks) + bake + "--store-transport -o many.vtkhdf");
+    const auto run = cli::run(folder, mpirun(ranks) + fine_bake + "--store-transport -o many.vtkhdf");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.out, "many.vtkhdf\n") << "one rank speaks";
     EXPECT_TRUE(read_file(folder / "one.vtkhdf") == read_file(folder / "many.vtkhdf")) << ranks << " ranks";
@@ -43,8 +43,9 @@ TEST_F(Ranks, two_and_three_give_the_bytes_of_one_with_all_that_is_kept) {
 
 TEST_F(Ranks, what_memory_cannot_hold_is_traced_again_by_each_for_its_own_rows) {
   const auto folder = fresh_folder("ranks_streamed");
-  ASSERT_EQ(cli::run(folder, bake + "--error 5% -o one.vtkhdf --quiet").code, 0);
-  const auto run = cli::run(folder, mpirun(2) + bake + "--error 5% -o many.vtkhdf --quiet --memory 40MiB");
+  ASSERT_EQ(cli::run(folder, fine_bake + "--error 5% -o one.vtkhdf --quiet").code, 0);
+  const auto run =
+      cli::run(folder, mpirun(2) + fine_bake + "--error 5% -o many.vtkhdf --quiet --memory 40MiB");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(read_file(folder / "one.vtkhdf") == read_file(folder / "many.vtkhdf"));
 }
@@ -60,8 +61,8 @@ TEST_F(Ranks, shooting_is_shared_too) {
 
 TEST_F(Ranks, a_rank_that_dies_ends_the_run_and_the_checkpoint_goes_on_with_another_number) {
   const auto folder = fresh_folder("ranks_dead");
-  const auto line = bake + "--error 1% --checkpoint run.vtkhdf --every 0 -o end.vtkhdf ";
-  ASSERT_EQ(cli::run(folder, bake + "--error 1% -o whole.vtkhdf --quiet").code, 0);
+  const auto line = fine_bake + "--error 1% --checkpoint run.vtkhdf --every 0 -o end.vtkhdf ";
+  ASSERT_EQ(cli::run(folder, fine_bake + "--error 1% -o whole.vtkhdf --quiet").code, 0);
   // The second rank is killed as soon as there is a checkpoint.
   const auto run = cli::run(
       folder, mpirun(3) + line +

@@ -13,16 +13,16 @@ namespace luxel::cli {
 namespace {
 
 using Json = nlohmann::json;
-const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.2 --quiet ";
+const std::string quiet_bake = "$LUXEL bake cornell-box.obj --max-edge 0.2 --quiet ";
 const std::string trace = "$LUXEL reference cornell-box.obj --max-edge 0.2 --quiet ";
 const std::string small = "--width 32 --height 24 ";
 
 TEST(Reference, agrees_with_the_solver_on_the_same_patches) {
   const auto folder = fresh_folder("reference_agrees");
-  const auto run =
-      cli::run(folder, bake + "--error 2% -o solved.vtkhdf && $LUXEL reference solved.vtkhdf --error 3% " +
-                           "--bounces-from patches -o truth.vtkhdf --quiet && " +
-                           "$LUXEL compare truth.vtkhdf solved.vtkhdf --json -o diff.png " + small);
+  const auto run = cli::run(
+      folder, quiet_bake + "--error 2% -o solved.vtkhdf && $LUXEL reference solved.vtkhdf --error 3% " +
+                  "--bounces-from patches -o truth.vtkhdf --quiet && " +
+                  "$LUXEL compare truth.vtkhdf solved.vtkhdf --json -o diff.png " + small);
   ASSERT_EQ(run.code, 0) << run.err;
   const auto json = Json::parse(run.out.substr(run.out.find('{')));
   EXPECT_EQ(json["command"], "compare");
@@ -134,7 +134,7 @@ TEST(Reference, that_is_interrupted_writes_what_it_has_and_says_so) {
 
 TEST(Reference, refuses_what_would_do_nothing) {
   const auto folder = fresh_folder("reference_misuse");
-  ASSERT_EQ(cli::run(folder, bake + "--error 5% -o a.vtkhdf").code, 0);
+  ASSERT_EQ(cli::run(folder, quiet_bake + "--error 5% -o a.vtkhdf").code, 0);
   for (const char* line :
        {"cornell-box.obj", "cornell-box.obj -o a.txt", "cornell-box.obj -o a.vtkhdf --error 0",
         "a.vtkhdf -o b.vtkhdf --max-edge 0.1", "cornell-box.obj -o b.vtkhdf --error-picture e.exr",
@@ -145,7 +145,7 @@ TEST(Reference, refuses_what_would_do_nothing) {
 TEST(Gather, makes_a_picture_near_the_plain_one_and_repeats) {
   const auto folder = fresh_folder("gather");
   const auto run = cli::run(
-      folder, bake +
+      folder, quiet_bake +
                   "--error 2% -o a.vtkhdf && for n in 1 3; do $LUXEL render a.vtkhdf --gather 25 --quiet " +
                   small +
                   "--threads $n -o g$n.exr || exit 9; done && cmp g1.exr g3.exr && $LUXEL render a.vtkhdf -o "
@@ -161,7 +161,7 @@ TEST(CompareCommand, tells_what_it_cannot_compare_in_one_sentence) {
   const auto folder = fresh_folder("compare_misuse");
   ASSERT_EQ(
       cli::run(folder,
-               bake + "--error 5% -o a.vtkhdf -o a.png " + small +
+               quiet_bake + "--error 5% -o a.vtkhdf -o a.png " + small +
                    "&& $LUXEL bake cornell-box.obj --max-edge 0.3 --error 5% --quiet -o b.vtkhdf -o b.png "
                    "--width 16 --height 16")
           .code,

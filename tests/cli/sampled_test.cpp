@@ -9,11 +9,11 @@ namespace luxel::cli {
 namespace {
 
 using Json = nlohmann::json;
-const std::string bake = "$LUXEL bake cornell-box.obj --max-edge 0.1 ";
+const std::string plain_bake = "$LUXEL bake cornell-box.obj --max-edge 0.1 ";
 
 TEST(Sampled, is_the_default_and_stops_at_the_error_asked_for) {
   const auto folder = fresh_folder("sampled_error");
-  const auto run = cli::run(folder, bake + "--error 3% -o a.vtkhdf --json --seed 3 --verbose");
+  const auto run = cli::run(folder, plain_bake + "--error 3% -o a.vtkhdf --json --seed 3 --verbose");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.err.find("error reached: seen error"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("first light"), std::string::npos) << run.err;
@@ -60,9 +60,9 @@ TEST(Sampled, is_the_default_and_stops_at_the_error_asked_for) {
 
 TEST(Sampled, gives_the_same_bytes_on_any_number_of_threads_and_with_any_memory) {
   const auto folder = fresh_folder("sampled_same");
-  ASSERT_EQ(cli::run(folder, bake + "--error 3% -o 1.vtkhdf --quiet --threads 1").code, 0);
+  ASSERT_EQ(cli::run(folder, plain_bake + "--error 3% -o 1.vtkhdf --quiet --threads 1").code, 0);
   for (const char* how : {"--threads 2", "--threads 5", "--memory 1MiB"}) {
-    const auto run = cli::run(folder, bake + "--error 3% -o 2.vtkhdf --quiet " + how);
+    const auto run = cli::run(folder, plain_bake + "--error 3% -o 2.vtkhdf --quiet " + how);
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(read_file(folder / "1.vtkhdf"), read_file(folder / "2.vtkhdf")) << how;
   }
@@ -71,7 +71,7 @@ TEST(Sampled, gives_the_same_bytes_on_any_number_of_threads_and_with_any_memory)
 TEST(Sampled, says_which_limit_ended_it_before_it_was_good_enough) {
   const auto folder = fresh_folder("sampled_limit");
   for (const auto& [limit, name] : {std::pair{"--rays 1M", "ray"}, std::pair{"--time 0.2s", "time"}}) {
-    const auto run = cli::run(folder, bake + "--error 0.001% -o a.vtkhdf --json " + limit);
+    const auto run = cli::run(folder, plain_bake + "--error 0.001% -o a.vtkhdf --json " + limit);
     EXPECT_EQ(run.code, 3) << run.err;
     const auto json = Json::parse(run.out);
     EXPECT_EQ(json["solve"]["error"]["stop_reason"], name + std::string("_limit"));
@@ -85,19 +85,19 @@ TEST(Sampled, says_which_limit_ended_it_before_it_was_good_enough) {
 
 TEST(Sampled, with_the_power_as_measure_stops_at_its_error) {
   const auto folder = fresh_folder("sampled_power");
-  const auto run = cli::run(folder, bake + "--error 3% --error-measure power -o a.vtkhdf --json");
+  const auto run = cli::run(folder, plain_bake + "--error 3% --error-measure power -o a.vtkhdf --json");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.err.find(" % on average over all surfaces; 3 % requested"), std::string::npos) << run.err;
   const auto json = Json::parse(run.out);
   EXPECT_EQ(json["solve"]["error"]["measure"], "power");
   EXPECT_LE(json["solution"]["predicted_error"], 0.03);
   EXPECT_EQ(json["solve"]["error"]["reached"], json["solution"]["predicted_error"]);
-  EXPECT_EQ(cli::run(folder, bake + "--error-measure eye -o a.vtkhdf").code, 2);
+  EXPECT_EQ(cli::run(folder, plain_bake + "--error-measure eye -o a.vtkhdf").code, 2);
 }
 
 TEST(Sampled, may_focus_on_what_a_camera_sees_or_on_a_material) {
   const auto folder = fresh_folder("sampled_focus");
-  const std::string coarse = bake + "--error 10% -o a.vtkhdf --json ";
+  const std::string coarse = plain_bake + "--error 10% -o a.vtkhdf --json ";
   const auto seen = [](const Outcome& run) {
     return Json::parse(run.out)["solution"]["seen_error"].get<double>();
   };
@@ -118,7 +118,7 @@ TEST(Sampled, may_focus_on_what_a_camera_sees_or_on_a_material) {
 TEST(Sampled, a_camera_changes_no_byte_of_the_light) {
   const auto folder = fresh_folder("sampled_camera");
   const auto json = [&](const std::string& more) {
-    auto run = Json::parse(cli::run(folder, bake + "--error 5% -o a.vtkhdf --json " + more).out);
+    auto run = Json::parse(cli::run(folder, plain_bake + "--error 5% -o a.vtkhdf --json " + more).out);
     return run["solution"];
   };
   const auto one = json("");
@@ -129,7 +129,7 @@ TEST(Sampled, a_camera_changes_no_byte_of_the_light) {
 
 TEST(Sampled, without_a_target_a_limit_is_what_was_asked_for) {
   const auto folder = fresh_folder("sampled_no_target");
-  const auto run = cli::run(folder, bake + "--error 0 --rays 1M -o a.vtkhdf --json");
+  const auto run = cli::run(folder, plain_bake + "--error 0 --rays 1M -o a.vtkhdf --json");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err.find("warning"), std::string::npos) << run.err;
   const auto json = Json::parse(run.out);
@@ -141,7 +141,7 @@ TEST(Sampled, takes_every_switch) {
   const auto folder = fresh_folder("sampled_switches");
   for (const char* option : {"--low-discrepancy off", "--stratified off", "--importance off",
                              "--control-variate off", "--mis on", "--smoothing off", "--replicates 4"}) {
-    const auto run = cli::run(folder, bake + "--error 5% -o a.vtkhdf --json " + option);
+    const auto run = cli::run(folder, plain_bake + "--error 5% -o a.vtkhdf --json " + option);
     ASSERT_EQ(run.code, 0) << run.err;
     const auto command = Json::parse(run.out)["solution"]["command_line"].get<std::string>();
     EXPECT_TRUE(command.ends_with(option)) << command;
@@ -150,7 +150,7 @@ TEST(Sampled, takes_every_switch) {
 
 TEST(Sampled, info_says_that_each_patch_has_its_error) {
   const auto folder = fresh_folder("sampled_info");
-  ASSERT_EQ(cli::run(folder, bake + "--error 3% -o a.vtkhdf --quiet").code, 0);
+  ASSERT_EQ(cli::run(folder, plain_bake + "--error 3% -o a.vtkhdf --quiet").code, 0);
   const auto info = cli::run(folder, "$LUXEL info a.vtkhdf");
   EXPECT_NE(info.out.find("for 95 % of the lit sides"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("with the standard error of every patch side"), std::string::npos) << info.out;
@@ -162,8 +162,8 @@ TEST(Sampled, info_says_that_each_patch_has_its_error) {
 // The interrupt is sent once the light is on its way: the lamp is reported right before it.
 TEST(Sampled, that_is_interrupted_writes_what_it_has_and_says_so) {
   const auto folder = fresh_folder("sampled_interrupt");
-  const auto run =
-      run_interrupted(folder, bake + "--error 0.001% -o a.glb -o a.vtkhdf", "grep -q lamp stderr.txt", "1");
+  const auto run = run_interrupted(folder, plain_bake + "--error 0.001% -o a.glb -o a.vtkhdf",
+                                   "grep -q lamp stderr.txt", "1");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("warning: stopped before --error 0.001% was reached"), std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\na.glb\n");

@@ -21,6 +21,7 @@
 #include "luxel/patch/make_patches.h"
 #include "luxel/scene/luminous_efficacy.h"
 
+#include "support/axes.h"
 #include "support/daylight_rooms.h"
 #include "support/glass_panes.h"
 #include "support/probe_rig.h"
@@ -30,19 +31,22 @@ namespace luxel {
 namespace {
 
 using test::cie171_sky;
+using test::down;
 using test::expect_truth;
 using test::facade_2x1;
 using test::facade_4x3;
+using test::north;
 using test::Opening;
 using test::ProbeRig;
 using test::roof_1x1;
 using test::roof_4x4;
+using test::south;
+using test::up;
 using test::WithError;
 using truth::SceneBuilder;
 
 constexpr double sky_lux = 10'000.0, patch_size = 5e-4, max_error = 6e-4;
 constexpr float glass_transmittance = 0.88f;  // at normal incidence
-const Vec3 up(0, 0, 1), down(0, 0, -1), north(0, 1, 0), south(0, -1, 0);
 
 // 5.5: a sun that shines through a pane on a surface that faces it. In per cent of the transmittance at
 // normal incidence, at angles of incidence of 0, 10 ... 80 degrees: Fresnel's amplitudes with the geometric

@@ -17,6 +17,7 @@
 #include "luxel/patch/make_patches.h"
 #include "luxel/solve/sampled.h"
 
+#include "support/axes.h"
 #include "support/luminaires.h"
 #include "support/probe_rig.h"
 #include "support/three_errors.h"
@@ -28,12 +29,13 @@ namespace {
 using test::cosine_distribution;
 using test::expect_truth;
 using test::luminaire;
+using test::north;
 using test::ProbeRig;
+using test::up;
 using test::WithError;
 
 constexpr LuminousOpening point_opening{};
 constexpr double flux = 10000.0;  // lm, of the lamp of 5.4
-const Vec3 up(0, 0, 1), north(0, 1, 0);
 
 struct Point {
   const char* label;

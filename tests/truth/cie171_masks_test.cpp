@@ -25,6 +25,7 @@
 #include "luxel/solve/relight.h"
 #include "luxel/solve/sampled.h"
 
+#include "support/axes.h"
 #include "support/daylight_rooms.h"
 #include "support/three_errors.h"
 
@@ -36,12 +37,12 @@ using test::expect_truth;
 using test::facade_2x1;
 using test::facade_room;
 using test::far_away;
+using test::up;
 using test::WithError;
 using truth::SceneBuilder;
 
 constexpr double sky_lux = 10'000.0, albedo = 0.3, patch_size = 5e-4, max_error = 3e-3;
 constexpr float mask_reflectance = 0.3f;
-const Vec3 up(0, 0, 1);
 
 // Percentages of the illuminance of open ground at the points A to H on the floor, from the wall y = 4 to the
 // façade.

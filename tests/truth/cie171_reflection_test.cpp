@@ -18,6 +18,7 @@
 #include "luxel/patch/make_patches.h"
 #include "luxel/solve/sampled.h"
 
+#include "support/axes.h"
 #include "support/luminaires.h"
 #include "support/probe_rig.h"
 #include "support/three_errors.h"
@@ -26,11 +27,12 @@
 namespace luxel {
 namespace {
 
+using test::down;
 using test::expect_truth;
+using test::north;
+using test::up;
 using test::WithError;
 using truth::SceneBuilder;
-
-const Vec3 up(0, 0, 1), down(0, 0, -1), north(0, 1, 0);
 
 // Percent of the exitance of the lit surface S2.
 struct Point {

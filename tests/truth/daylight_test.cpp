@@ -21,17 +21,22 @@
 #include "luxel/scene/luminous_efficacy.h"
 #include "luxel/solve/sampled.h"
 
+#include "support/axes.h"
 #include "support/probe_rig.h"
 #include "support/window_rooms.h"
 
 namespace luxel {
 namespace {
 
+using test::east;
+using test::north;
 using test::ProbeRig;
+using test::south;
+using test::up;
+using test::west;
 using truth::SceneBuilder;
 
 constexpr double sigmas = 6.0, sky_lux = 10'000.0;
-const Vec3 up(0, 0, 1), north(0, 1, 0), east(1, 0, 0), south(0, -1, 0), west(-1, 0, 0);
 
 Daylight cie(int type, double elevation = 30.0, double azimuth = 180.0) {
   Daylight d;

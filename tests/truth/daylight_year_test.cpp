@@ -20,14 +20,16 @@
 #include "luxel/render/probe_light.h"
 #include "luxel/solve/sampled.h"
 
+#include "support/axes.h"
 #include "support/stored_run.h"
 #include "support/window_rooms.h"
 
 namespace luxel {
 namespace {
 
+using test::up;
+
 constexpr double sigmas = 6.0, albedo = 0.2;
-const Vec3 up(0, 0, 1);
 const Vec3d zenith(0, 0, 1), north(0, 1, 0);
 
 const std::vector<ProbePoint> points = {

@@ -22,6 +22,7 @@
 #include "luxel/solve/sampled.h"
 #include "luxel/trace/point_sight.h"
 
+#include "support/axes.h"
 #include "support/probe_rig.h"
 #include "support/three_errors.h"
 #include "support/truth_scenes.h"
@@ -34,10 +35,10 @@ using test::expect_truth;
 using test::lopsided_distribution;
 using test::luminaire;
 using test::ProbeRig;
+using test::up;
 using test::WithError;
 
 constexpr LuminousOpening point_opening{};
-const Vec3 up(0, 0, 1);
 
 Scene black_room() {
   truth::SceneBuilder b;

@@ -13,6 +13,7 @@
 #include "luxel/core/warp.h"
 #include "luxel/render/harmonics.h"
 
+#include "support/axes.h"
 #include "support/probe_rig.h"
 #include "support/window_rooms.h"
 
@@ -21,10 +22,10 @@ namespace {
 
 using test::lux;
 using test::ProbeRig;
+using test::up;
 using truth::SceneBuilder;
 
 constexpr double pi_d = std::numbers::pi;
-const Vec3 up(0, 0, 1);
 
 SphereLight sphere_at(const ProbeRig& rig, const Vec3& position, std::size_t count = 9,
                       double error = 0.003) {

@@ -13,19 +13,22 @@
 #include "luxel/core/error.h"
 #include "luxel/render/probe_light.h"
 
+#include "support/axes.h"
 #include "support/probe_rig.h"
 #include "support/window_rooms.h"
 
 namespace luxel {
 namespace {
 
+using test::down;
+using test::east;
 using test::lux;
 using test::ProbeRig;
+using test::up;
 using truth::SceneBuilder;
 
 constexpr double sigmas = 6.0;
 constexpr double pi_d = std::numbers::pi;
-const Vec3 up(0, 0, 1), down(0, 0, -1), east(1, 0, 0);
 
 void expect_near(const ProbedLight& light, double truth_lux, double rounding = 1e-5) {
   EXPECT_NEAR(light.illuminance, truth_lux, sigmas * light.sampling_error + rounding * truth_lux);

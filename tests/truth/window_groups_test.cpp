@@ -18,6 +18,7 @@
 #include "luxel/photometry/sky_integrals.h"
 #include "luxel/solve/sampled.h"
 
+#include "support/axes.h"
 #include "support/glass_panes.h"
 #include "support/stored_run.h"
 #include "support/window_rooms.h"
@@ -25,8 +26,9 @@
 namespace luxel {
 namespace {
 
+using test::up;
+
 constexpr double sigmas = 6.0, albedo = 0.2;
-const Vec3 up(0, 0, 1);
 const std::vector<ProbePoint> points = {
     {{1.0f, 0.6f, 0.4f}, up}, {{0.4f, 1.5f, 0.3f}, up}, {{1.7f, 1.7f, 0.2f}, up}};
 const std::vector<WindowGroup> groups = {{"west", 0.1}, {"east", 0.2}};

@@ -11,14 +11,15 @@
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/plane_parts.h"
 
+#include "support/axes.h"
 #include "support/truth_scenes.h"
 
 namespace luxel {
 namespace {
 
-using truth::SceneBuilder;
+using test::up;
 
-const Vec3 up(0, 0, 1);
+using truth::SceneBuilder;
 
 double area_of(const PatchSet& patches) {
   double sum = 0.0;
