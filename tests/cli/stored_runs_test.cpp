@@ -59,16 +59,16 @@ TEST(StoredRuns, killed_a_hundred_times_nothing_is_lost_and_the_end_is_the_same)
 
 TEST(StoredRuns, a_resumed_run_records_that_a_new_error_ends_it) {
   const auto folder = fresh_folder("resumed_bound");
-  const auto recorded = [&](const std::string& file) {
-    return Json::parse(
-        cli::run(folder, "$LUXEL info " + file + " --json").out)["solution"]["options"]["cheap-rays"];
+  const auto cheap_rays = [&](const std::string& command) -> Json {
+    const auto run = cli::run(folder, "$LUXEL " + command + " --json");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return Json::parse(run.out)["options"]["cheap-rays"];
   };
-  const auto bake =
-      "$LUXEL bake cornell-box.obj --max-edge 0.2 --quality draft --store-transport -o a.vtkhdf";
-  ASSERT_EQ(cli::run(folder, bake).code, 0);
-  EXPECT_EQ(recorded("a.vtkhdf"), "10M");
-  ASSERT_EQ(cli::run(folder, "$LUXEL resume a.vtkhdf --error 4% -o b.vtkhdf").code, 0);
-  EXPECT_EQ(recorded("b.vtkhdf"), "none");
+  const std::string draft = "bake cornell-box.obj --max-edge 0.2 --quality draft --store-transport";
+  EXPECT_EQ(cheap_rays(draft + " -o a.vtkhdf"), "10M");
+  EXPECT_EQ(cheap_rays("resume a.vtkhdf -o b.vtkhdf"), "10M");
+  EXPECT_EQ(cheap_rays("resume a.vtkhdf --error 4% -o c.vtkhdf"), "none");
+  EXPECT_EQ(cheap_rays("resume c.vtkhdf -o d.vtkhdf"), "none");
 }
 
 TEST(StoredRuns, resume_goes_on_to_a_finer_error) {

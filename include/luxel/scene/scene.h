@@ -78,6 +78,9 @@ void turn_triangle(Scene& scene, std::size_t triangle);
 /// The box of all triangles, counted from the origin; a vertex that no triangle uses does not count.
 Bounds bounds(const Scene& scene);
 
+/// Returns whether light comes from what lies around the scene.
+bool has_sky(const Scene& scene);
+
 /// Returns whether the scene has an emitting surface, a punctual light, or a sky.
 bool has_light(const Scene& scene);
 

@@ -13,11 +13,14 @@ Bounds bounds(const Scene& scene) {
   return box;
 }
 
+bool has_sky(const Scene& scene) {
+  return scene.sky != Vec3(0.0f) || !scene.sky_spectrum.empty() ||
+         std::any_of(scene.sky_radiance.begin(), scene.sky_radiance.end(),
+                     [](const Vec3& radiance) { return radiance != Vec3(0.0f); });
+}
+
 bool has_light(const Scene& scene) {
-  if (scene.sky != Vec3(0.0f) || !scene.sky_spectrum.empty() || !scene.point_lights.empty()) return true;
-  if (std::any_of(scene.sky_radiance.begin(), scene.sky_radiance.end(),
-                  [](const Vec3& radiance) { return radiance != Vec3(0.0f); }))
-    return true;
+  if (has_sky(scene) || !scene.point_lights.empty()) return true;
   return std::any_of(
       scene.triangle_material.begin(), scene.triangle_material.end(),
       [&](MaterialId material) { return scene.materials[static_cast<std::size_t>(material)].is_lamp(); });

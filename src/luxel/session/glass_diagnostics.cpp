@@ -24,7 +24,7 @@ const Material& material_of(const Scene& scene, std::uint32_t triangle) {
 }
 
 bool is_lit_from_outside(const Scene& scene) {
-  return scene.sky != Vec3(0.0f) || !scene.sky_spectrum.empty() ||
+  return has_sky(scene) ||
          std::any_of(scene.point_lights.begin(), scene.point_lights.end(),
                      [](const PointLight& light) { return light.kind == PointLightKind::directional; });
 }

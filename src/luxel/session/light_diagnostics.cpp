@@ -63,15 +63,15 @@ Diagnostic lamp_diagnostic(const ScannedMesh& mesh, DiagnosticKind kind, std::si
 }
 
 void find_no_lamp(const ScannedMesh& mesh, std::vector<Diagnostic>& diagnostics) {
-  const bool has_sky = mesh.scene->sky != Vec3(0.0f);
-  Diagnostic diagnostic{DiagnosticKind::no_lamp, has_sky ? Severity::note : Severity::error, 1};
+  const bool is_under_sky = has_sky(*mesh.scene);
+  Diagnostic diagnostic{DiagnosticKind::no_lamp, is_under_sky ? Severity::note : Severity::error, 1};
   diagnostic.fact =
-      has_sky ? "no surface emits light: all of it comes from the sky" : "no surface emits light";
+      is_under_sky ? "no surface emits light: all of it comes from the sky" : "no surface emits light";
   diagnostic.consequence =
-      has_sky ? "lights the scene from all around" : "refuses to bake: all would be black";
-  diagnostic.remedy = has_sky ? "a material with a Ke line is a lamp"
-                              : "a material with a Ke line is a lamp; a sky lights the scene from all around";
-  if (!has_sky) diagnostic.hints = {{Setting::sky, "1"}};
+      is_under_sky ? "lights the scene by the sky alone" : "refuses to bake: all would be black";
+  diagnostic.remedy = is_under_sky ? "a material with a Ke line is a lamp"
+                                   : "a material with a Ke line is a lamp; a sky lights the scene";
+  if (!is_under_sky) diagnostic.hints = {{Setting::sky, "1"}};
   diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -171,7 +171,6 @@ std::uint32_t triangle_near(const ScannedMesh& mesh, const Opening& opening) {
 void find_escape(const ScannedMesh& mesh, const LightWalks& walks, const std::vector<Opening>& openings,
                  std::size_t places, std::vector<Diagnostic>& diagnostics) {
   if (walks.escaped < worth_telling) return;
-  const bool has_sky = mesh.scene->sky != Vec3(0.0f);
   const bool from_lamps = walks.from == LightWalks::From::lamps;
   Diagnostic diagnostic{DiagnosticKind::escape, from_lamps ? Severity::warning : Severity::note};
   diagnostic.count = openings.size();
@@ -181,9 +180,9 @@ void find_escape(const ScannedMesh& mesh, const LightWalks& walks, const std::ve
                         percent(walks.escaped), 100.0 * walks.escaped_error, percent(walks.escaped_at_once))
           : fmt::format("{} (± {:.1g}) of what can be seen from inside is open", percent(walks.escaped),
                         100.0 * walks.escaped_error);
-  diagnostic.consequence = has_sky      ? "lets the light out there, and the sky's light in"
-                           : from_lamps ? "counts it as escaped; nothing comes back"
-                                        : "lets no light in there without a sky";
+  diagnostic.consequence = has_sky(*mesh.scene) ? "lets the light out there, and the sky's light in"
+                           : from_lamps         ? "counts it as escaped; nothing comes back"
+                                                : "lets no light in there without a sky";
   diagnostic.remedy = "close what should be closed in the file; welding closes gaps, and a sky lets light in";
   diagnostic.hints = {{Setting::weld, "DISTANCE"}, {Setting::sky, "1"}};
   std::vector<Candidate> candidates;
