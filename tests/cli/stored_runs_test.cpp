@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "luxel/solution/solution_file.h"
+
 #include "cli/run_program.h"
 
 namespace luxel::cli {
@@ -59,16 +61,19 @@ TEST(StoredRuns, killed_a_hundred_times_nothing_is_lost_and_the_end_is_the_same)
 
 TEST(StoredRuns, a_resumed_run_records_that_a_new_error_ends_it) {
   const auto folder = fresh_folder("resumed_bound");
-  const auto cheap_rays = [&](const std::string& command) -> Json {
-    const auto run = cli::run(folder, "$LUXEL " + command + " --json");
+  const auto cheap_rays = [&](const std::string& command, const std::string& file) {
+    const auto run = cli::run(folder, "$LUXEL " + command + " -o " + file + " --quiet");
     EXPECT_EQ(run.code, 0) << run.err;
-    return Json::parse(run.out)["options"]["cheap-rays"];
+    const auto options = read_solution(folder / file).solution.provenance.options;
+    const auto found =
+        std::find_if(options.begin(), options.end(), [](const auto& o) { return o.first == "cheap-rays"; });
+    return found == options.end() ? std::string() : found->second;
   };
   const std::string draft = "bake cornell-box.obj --max-edge 0.2 --quality draft --store-transport";
-  EXPECT_EQ(cheap_rays(draft + " -o a.vtkhdf"), "10M");
-  EXPECT_EQ(cheap_rays("resume a.vtkhdf -o b.vtkhdf"), "10M");
-  EXPECT_EQ(cheap_rays("resume a.vtkhdf --error 4% -o c.vtkhdf"), "none");
-  EXPECT_EQ(cheap_rays("resume c.vtkhdf -o d.vtkhdf"), "none");
+  EXPECT_EQ(cheap_rays(draft, "a.vtkhdf"), "10M");
+  EXPECT_EQ(cheap_rays("resume a.vtkhdf", "b.vtkhdf"), "10M");
+  EXPECT_EQ(cheap_rays("resume a.vtkhdf --error 4%", "c.vtkhdf"), "none");
+  EXPECT_EQ(cheap_rays("resume c.vtkhdf", "d.vtkhdf"), "none");
 }
 
 TEST(StoredRuns, resume_goes_on_to_a_finer_error) {
