@@ -18,7 +18,7 @@ INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 # What a line at the left margin declares. The same alias may stand in a unit twice.
 ALIAS = re.compile(r"^(?:using (?:\w+::)+(\w+)|using (\w+) = .*|namespace (\w+) = .*);$")
 TYPE = re.compile(r"^(?:class|struct|enum class|enum|using|union)\s+(\w+)\b(?!\s*;)")
-FURTHER = re.compile(r"(?<=\)), (\w+)\(")  # const Vec3 up(0, 0, 1), north(0, 1, 0);
+FURTHER = re.compile(r", (\w+)(?:\(| = )")  # const Vec3 up(0, 0, 1), north(0, 1, 0);
 TEST = re.compile(r"^((?:TYPED_)?TEST\w*\(.*\)|INSTANTIATE\w*\(.*)")
 OTHER = re.compile(r"^(?=[A-Za-z])(?!using|namespace|class|struct|enum|union|static_assert|TEST|TYPED_TEST|INSTANTIATE)"
                    r"[\w:<>,&*\s\[\]\"]*?\b((?:\w+::)*\w+)\s*([({=;].*)")

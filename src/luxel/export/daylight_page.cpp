@@ -287,7 +287,7 @@ std::string daylight_sections(const DaylightPage& page) {
 std::string daylight_page(const DaylightPage& page) {
   auto html = page_begin(page.title, page.version,
                          {{"Scene", page.scene},
-                          {"File of the scene of", page.scene_date},
+                          {"Scene file dated", page.scene_date},
                           {"Place", page.place},
                           {"Weather", page.weather}});
   html += summary(page, "Summary") + verdicts(page, "Requirements") + plans(page, "Plans") +
