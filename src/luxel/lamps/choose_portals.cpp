@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "luxel/core/address.h"
+#include "luxel/core/discrete_distribution.h"
 #include "luxel/core/triangle.h"
 #include "luxel/core/warp.h"
 #include "luxel/lamps/sky_box.h"
@@ -55,10 +56,11 @@ class Trials {
   Trial of(const OpenPolygon& polygon, std::uint32_t number) const {
     Trial trial;
     Vec3d area2(0.0);
-    std::vector<double> up_to;
+    DiscreteDistribution triangles;
     for (std::size_t i = 2; i < polygon.size(); ++i) {
-      area2 += area_vector2(polygon[0], polygon[i - 1], polygon[i]);
-      up_to.push_back(glm::length(area2));
+      const auto of_triangle = area_vector2(polygon[0], polygon[i - 1], polygon[i]);
+      area2 += of_triangle;
+      triangles.add(glm::length(of_triangle));
     }
     trial.area = 0.5 * glm::length(area2);
     if (!(trial.area > 0.0)) return trial;
@@ -70,9 +72,7 @@ class Trials {
     for (std::uint32_t i = 0; i < all_lines; ++i) {
       if (i == first_lines && trial.lit[0] + trial.lit[1] == 0) break;
       const auto u = uniform4(key, 2 * i);
-      const auto chosen = static_cast<std::size_t>(
-          std::upper_bound(up_to.begin(), up_to.end() - 1, static_cast<double>(u[0]) * up_to.back()) -
-          up_to.begin());
+      const auto chosen = triangles.choose(static_cast<double>(u[0]));
       const std::array<Vec3, 3> corner = {polygon[0], polygon[chosen + 1], polygon[chosen + 2]};
       const auto weights = uniform_triangle(uniform4(key, 2 * i + 1)[0], u[1]);
       const auto point =

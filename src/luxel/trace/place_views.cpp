@@ -8,6 +8,7 @@
 
 #include "luxel/core/address.h"
 #include "luxel/core/bounds.h"
+#include "luxel/core/discrete_distribution.h"
 #include "luxel/core/warp.h"
 #include "luxel/patch/side.h"
 #include "luxel/trace/collect_views.h"
@@ -116,8 +117,8 @@ class Placing {
 
   std::vector<Panorama> look_from(const std::vector<float>& weights, std::uint32_t is_stating,
                                   double places) {
-    std::vector<double> sum(weights.size());
-    std::partial_sum(weights.begin(), weights.end(), sum.begin(), [](double a, double b) { return a + b; });
+    DiscreteDistribution scouts;
+    for (const auto weight : weights) scouts.add(static_cast<double>(weight));
     const auto wanted =
         options_.min_views +
         static_cast<std::size_t>(std::max(0.0, places - 1.0) * static_cast<double>(options_.more_per_place));
@@ -128,12 +129,8 @@ class Placing {
         const auto element = 2 * static_cast<std::uint32_t>(i) + is_stating;
         const auto key = stream_key(seed, view_start, element);
         const auto u = uniform4(key, 0);
-        const auto at =
-            (static_cast<double>(i) + static_cast<double>(u[0])) / static_cast<double>(count) * sum.back();
-        const auto scout =
-            std::min<std::ptrdiff_t>(std::upper_bound(sum.begin(), sum.end(), at) - sum.begin(),
-                                     static_cast<std::ptrdiff_t>(sum.size()) - 1);
-        const auto side = side_seen(scouts_[static_cast<std::size_t>(scout)], u[1]);
+        const auto at = (static_cast<double>(i) + static_cast<double>(u[0])) / static_cast<double>(count);
+        const auto side = side_seen(scouts_[scouts.choose(at)], u[1]);
         found[i] = look_near(side, key, stream_key(seed, view_look, element), grid_);
       }
     });
