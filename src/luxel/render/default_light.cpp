@@ -24,14 +24,15 @@ constexpr double absorbed = 0.5;  // assumed fraction of the light that a surfac
 Vec3 white(double lux) { return Vec3(static_cast<float>(lux / luminous_efficacy)); }
 
 // up: unit; 0: unknown.
-void set_daylight(const Vec3d& up, DefaultSky sky, Scene& scene) {
+void set_sky(const Vec3d& up, DefaultSky sky, Scene& scene) {
   const auto radiance = white(default_daylight / std::numbers::pi);
   if (sky == DefaultSky::all_around || up == Vec3d(0.0)) {
     scene.sky = radiance;
     return;
   }
-  const auto level = std::fabs(up.z) > 0.5 ? Vec3d(0.0, 1.0, 0.0) : Vec3d(0.0, 0.0, 1.0);
-  scene.sky_patches = SkyPatches(0, up, glm::normalize(level - glm::dot(level, up) * up));
+  // North is any level direction: the sky has none.
+  const auto across = std::fabs(up.z) > 0.5 ? Vec3d(0.0, 1.0, 0.0) : Vec3d(0.0, 0.0, 1.0);
+  scene.sky_patches = SkyPatches(0, up, glm::normalize(across - glm::dot(across, up) * up));
   scene.sky_radiance = {radiance * static_cast<float>(default_albedo), radiance};
 }
 
@@ -75,7 +76,7 @@ DefaultLight add_default_light(Scene& scene, const Context& context, DefaultSky 
   const auto patches = make_patches(scene, {.max_edge = no_max_edge, .contacts = false}, context.quiet());
   const Tracer tracer(patches, context.quiet());
   if (sky_reach(patches, tracer, context) >= closed) {
-    set_daylight(Vec3d(patches.up), sky, scene);
+    set_sky(Vec3d(patches.up), sky, scene);
     return {.kind = DefaultLightKind::daylight};
   }
   const auto flux = flux_for(scene);
@@ -83,7 +84,7 @@ DefaultLight add_default_light(Scene& scene, const Context& context, DefaultSky 
     return {.kind = DefaultLightKind::lamp_materials, .materials = std::move(names)};
   const auto squares = place_luminaires(patches, tracer, context);
   if (squares.empty()) {
-    set_daylight(Vec3d(patches.up), sky, scene);
+    set_sky(Vec3d(patches.up), sky, scene);
     return {.kind = DefaultLightKind::daylight};
   }
   add_luminaires(squares, white(1.0) * static_cast<float>(flux), scene);

@@ -17,7 +17,7 @@ class SkyColours {
   // Returns whether all directions above the horizon have one radiance.
   bool is_even_above() const { return radiance_.empty() || patches_.upper() == 1; }
   // Where is_even_above(): that radiance.
-  Vec3d above() const { return radiance_.empty() ? Vec3d(0.0) : radiance_.back(); }
+  Vec3d above() const { return radiance_.empty() ? Vec3d(0.0) : radiance_[patches_.is_one() ? 0 : 1]; }
   // direction: unit.
   Vec3d at(const Vec3d& direction) const;
 

@@ -179,7 +179,7 @@ double score(const ViewFacts& f, double openness) {
   const auto filled = 1.0 - std::min(f.empty, allowed);
   // In the open, an object cut off at the border lowers the score; in a room the picture always ends on
   // walls.
-  const auto open = beyond(openness, 0.5);  // 0.5: a solid, whose top shows where it is seen from above
+  const auto open = beyond(openness, 0.5);  // 0.5 of a solid, which shows its top to views from above
   const auto cut_off = 8.0 * open * open * f.border;
   return 0.5 * std::log(f.bright / filled + 0.02) + 0.6 * std::log(f.coverage + 0.01) + 0.8 * f.variety +
          1.5 * std::min(f.detail, 0.4) - 3.0 * beyond(f.near, 0.03) - 3.0 * beyond(f.glare, 0.10) -
