@@ -260,10 +260,10 @@ TEST(Report, dates_its_solution_reproducibly) {
     const auto json = Json::parse(made.out);
     return json["date_of"].get<std::string>() + " " + json["date"].get<std::string>();
   };
-  EXPECT_EQ(date("", ""), "File of the solution of 2026-03-05");
-  EXPECT_EQ(date("SOURCE_DATE_EPOCH=1700000000", ""), "File of the solution of 2023-11-14");
-  EXPECT_EQ(date("SOURCE_DATE_EPOCH=1900000000", ""), "File of the solution of 2026-03-05");
-  EXPECT_EQ(date("SOURCE_DATE_EPOCH=soon", ""), "File of the solution of 2026-03-05");
+  EXPECT_EQ(date("", ""), "Solution file dated 2026-03-05");
+  EXPECT_EQ(date("SOURCE_DATE_EPOCH=1700000000", ""), "Solution file dated 2023-11-14");
+  EXPECT_EQ(date("SOURCE_DATE_EPOCH=1900000000", ""), "Solution file dated 2026-03-05");
+  EXPECT_EQ(date("SOURCE_DATE_EPOCH=soon", ""), "Solution file dated 2026-03-05");
   EXPECT_EQ(date("", "--date 'May 2026'"), "Date May 2026");
 }
 

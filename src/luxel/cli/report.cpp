@@ -120,7 +120,7 @@ class ReportCommand final : public Command {
     report.hours = settings_.hours;
     report.date = settings_.date;
     if (!report.date.empty()) return;
-    report.date_label = "File of the solution of";
+    report.date_label = "Solution file dated";
     report.date = day_of_file(path);
   }
 
