@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/render/automatic_camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -131,6 +132,31 @@ TEST(AutomaticCamera, a_thing_alone_is_seen_from_outside) {
   EXPECT_GT(lit_fraction(lit, camera), 0.2);
   EXPECT_GT(glm::dot(glm::normalize(camera.target - camera.eye), glm::normalize(-camera.eye)), 0.9f)
       << "it does not look at the thing";
+}
+
+// The corner's place in a picture of 4 to 3: -1 to 1 from side to side, and from the lower edge to the upper.
+Vec2 place_in_picture(const Camera& camera, const Vec3& corner) {
+  const auto ahead = glm::normalize(camera.target - camera.eye);
+  const auto side = glm::normalize(glm::cross(ahead, camera.up));
+  const auto way = corner - camera.eye;
+  const auto half_height = std::tan(glm::radians(0.5f * camera.vertical_fov)) * glm::dot(way, ahead);
+  return {0.75f * glm::dot(way, side) / half_height, glm::dot(way, glm::cross(side, ahead)) / half_height};
+}
+
+TEST(AutomaticCamera, a_solid_under_the_sky_is_seen_whole_and_from_above) {
+  for (const Vec3& size : {Vec3(1.0f), Vec3(1.0f, 3.0f, 1.0f), Vec3(20.0f, 4.0f, 8.0f)}) {
+    LitPatches lit;
+    test::add_box(lit, Vec3(0.0f), size, Facing::outwards, 1.0f);
+    lit.patches.sky = {1.0f, 1.0f, 1.0f};
+    const auto camera = camera_for(lit);
+    const bool is_tower = size.y > size.x;  // which may be seen level
+    EXPECT_TRUE(is_tower || camera.eye.y > size.y) << "its top is hidden: " << as_text(camera.eye);
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = place_in_picture(
+          camera, Vec3(corner & 1 ? size.x : 0.0f, corner & 2 ? size.y : 0.0f, corner & 4 ? size.z : 0.0f));
+      EXPECT_LT(std::max(std::abs(at.x), std::abs(at.y)), 1.0f) << as_text(size) << ", corner " << corner;
+    }
+  }
 }
 
 TEST(AutomaticCamera, the_same_room_in_millimetres_is_seen_from_the_same_place) {
