@@ -246,7 +246,7 @@ const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
 ${toning}
 void main() {
   float height = dot(normalize(ray), zenith);
-  vec3 look = height < 0.0 ? vec3(mix(1.0, min(0.75, ground), min(1.0, -height / 0.06)))
+  vec3 look = height < 0.0 ? vec3(mix(1.0, ground, min(1.0, -height / 0.06)))
                            : mix(vec3(0.20, 0.40, 0.80), vec3(1.0), pow(1.0 - min(1.0, height), 5.0));
   pixel = vec4(toned(look * sky), 1.0);
 }`;

@@ -19,7 +19,7 @@ export class View {
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.surfaces = new Surfaces(scene, Math.min(8, this.renderer.capabilities.getMaxAnisotropy()));
     this.world = new Scene();
-    this.sky = new Sky(this.surfaces.shared, scene.about.groundOverSky);
+    this.sky = new Sky(this.surfaces.shared, scene.about.ground);
     this.luminaires = new Luminaires(scene, this.surfaces.shared);
     this.world.add(...this.surfaces.meshes, this.sky.mesh, this.luminaires.bodies, this.luminaires.wires);
     this.covered = () => [0, 0]; // how far the panel pushes the middle of the scene to the left and upwards, pixels

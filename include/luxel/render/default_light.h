@@ -43,12 +43,11 @@ struct DefaultLight {
 };
 
 /// Adds light to a scene that has none (has_light()), so that it can be solved: a uniform white sky of
-/// default_daylight. Under such a sky over ground, the sides of a solid differ and show its shape; without a
-/// known up direction the light is that of `all_around`. Where the sky reaches less than 1 % of the surfaces,
-/// the scene is a closed room. Then materials with names such as "ceiling lamp" or "Bulb.001" emit instead;
-/// where there are none, white square luminaires that face down are placed below the ceilings, so that nearly
-/// every point of the open space sees one. Their triangles come last, see Scene::added_triangles; their power
-/// gives about default_lamp_light.
+/// default_daylight. Under such a sky over ground, the sides of a solid differ and show its shape. Where the
+/// sky reaches less than 1 % of the surfaces, the scene is a closed room. Then materials with names such as
+/// "ceiling lamp" or "Bulb.001" emit instead; where there are none, white square luminaires that face down
+/// are placed below the ceilings, so that nearly every point of the open space sees one. Their triangles come
+/// last, see Scene::added_triangles; their power gives about default_lamp_light.
 ///
 /// The same scene gets the same light for any number of threads. Throws what make_patches() and Tracer throw.
 /// Cost: building a Tracer, and 0.2 million rays; nothing where the scene has light. Reports no progress.

@@ -20,6 +20,7 @@
 #include "luxel/export/page_mesh.h"
 #include "luxel/export/page_template.h"
 #include "luxel/export/page_textures.h"
+#include "luxel/render/sky_look.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/scene/luminous_efficacy.h"
 
@@ -190,7 +191,7 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
       {"luminaires", std::move(luminaires)},
       {"sky", three(patches.has_sky() ? colours.rgb(patches.mean_sky()) : Vec3d(0.0))},
       {"hasSky", patches.has_sky()},
-      {"groundOverSky", patches.ground_over_sky()},
+      {"ground", ground_look(patches)},
       {"materials", materials_of(patches, colours, textures, !groups.empty())},
       {"parts", parts_of(mesh)},
       {"grid", grid},

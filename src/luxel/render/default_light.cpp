@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/render/default_light.h"
 
-#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "luxel/core/warp.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/render/ceiling_luminaires.h"
 #include "luxel/render/sky_reach.h"
@@ -23,16 +23,14 @@ constexpr double absorbed = 0.5;  // assumed fraction of the light that a surfac
 
 Vec3 white(double lux) { return Vec3(static_cast<float>(lux / luminous_efficacy)); }
 
-// up: unit; 0: unknown.
-void set_sky(const Vec3d& up, DefaultSky sky, Scene& scene) {
+// up: unit.
+void set_sky(const Vec3& up, DefaultSky sky, Scene& scene) {
   const auto radiance = white(default_daylight / std::numbers::pi);
-  if (sky == DefaultSky::all_around || up == Vec3d(0.0)) {
+  if (sky == DefaultSky::all_around) {
     scene.sky = radiance;
     return;
   }
-  // North is any level direction: the sky has none.
-  const auto across = std::fabs(up.z) > 0.5 ? Vec3d(0.0, 1.0, 0.0) : Vec3d(0.0, 0.0, 1.0);
-  scene.sky_patches = SkyPatches(0, up, glm::normalize(across - glm::dot(across, up) * up));
+  scene.sky_patches = SkyPatches(0, Vec3d(up), Vec3d(Frame(up).s));  // any north: the patches have none
   scene.sky_radiance = {radiance * static_cast<float>(default_albedo), radiance};
 }
 
@@ -76,7 +74,7 @@ DefaultLight add_default_light(Scene& scene, const Context& context, DefaultSky 
   const auto patches = make_patches(scene, {.max_edge = no_max_edge, .contacts = false}, context.quiet());
   const Tracer tracer(patches, context.quiet());
   if (sky_reach(patches, tracer, context) >= closed) {
-    set_sky(Vec3d(patches.up), sky, scene);
+    set_sky(patches.up, sky, scene);
     return {.kind = DefaultLightKind::daylight};
   }
   const auto flux = flux_for(scene);
@@ -84,7 +82,7 @@ DefaultLight add_default_light(Scene& scene, const Context& context, DefaultSky 
     return {.kind = DefaultLightKind::lamp_materials, .materials = std::move(names)};
   const auto squares = place_luminaires(patches, tracer, context);
   if (squares.empty()) {
-    set_sky(Vec3d(patches.up), sky, scene);
+    set_sky(patches.up, sky, scene);
     return {.kind = DefaultLightKind::daylight};
   }
   add_luminaires(squares, white(1.0) * static_cast<float>(flux), scene);
