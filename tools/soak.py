@@ -4,6 +4,9 @@
 
 Each attack goes on where it stopped: the seed of a try is its number. Totals are added up in
 build/soak/totals.json; what was found is kept in build/soak/findings, with the command that shows it again.
+
+An attack is a class: attempt(chance) makes one try with these random numbers, raises Finding, and returns what is to be
+added to its totals. `at_once` tries run side by side. report(totals) is a sentence for the end.
 """
 
 import argparse
@@ -11,6 +14,7 @@ import atexit
 import json
 import os
 import random
+import re
 import resource
 import shutil
 import signal
@@ -18,10 +22,12 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 STATE = ROOT / "build" / "soak"
+CORES = len(os.sched_getaffinity(0))
 
 
 class Finding(Exception):
@@ -47,6 +53,8 @@ BAKE = ["--max-edge", "0.08", "--rays", "3M", "--seed", "5", "--every", "0", "--
 
 class Kills:
     """kill -9 at a random moment, again and again, until the run has ended: the same bytes, nothing left."""
+
+    at_once = 1
 
     def __init__(self, luxel):
         self.luxel, self.expected, self.seconds = luxel, None, 0.0
@@ -87,6 +95,11 @@ class Kills:
         if left:
             raise Finding(f"left behind after {attempt} kills: {left} in {folder}")
         shutil.rmtree(folder)
+        return {"kills": attempt}
+
+    @staticmethod
+    def report(total):
+        return f"{total.get('kills', 0)} kills"
 
 
 # ---- Signals ----
@@ -94,6 +107,7 @@ class Kills:
 class Signals:
     """SIGINT or SIGTERM at a random moment of many commands: each ends soon, with the documented exit code."""
 
+    at_once = 1
     seconds = 1.0  # promised; ten times that is a finding, and the longest is kept in the totals
     bake = ["bake", "cornell-box.obj", "--max-edge", "0.01"]
     commands = (
@@ -123,7 +137,7 @@ class Signals:
         with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as child:
             try:
                 child.wait(chance.uniform(0.02, 10.0))
-                return  # ended by itself
+                return {}  # ended by itself
             except subprocess.TimeoutExpired:
                 child.send_signal(number)
             begin = time.monotonic()
@@ -138,6 +152,11 @@ class Signals:
         self.longest = max(self.longest, took)
         if child.returncode not in (0, 3, -number):
             raise Finding(f"`{' '.join(command)}` ends with {child.returncode} after {number.name}")
+        return {"signals": 1}
+
+    @staticmethod
+    def report(total):
+        return f"{total.get('signals', 0)} signals"
 
 
 # ---- Random scenes against the path tracer ----
@@ -186,6 +205,7 @@ def random_scene(chance):
 class Scenes:
     """Solver and path tracer agree within their errors, in the mean over all patches."""
 
+    at_once = CORES
     limit = 6.0  # standard errors; from some dozen replicates, so about one false alarm in 10,000 scenes
 
     def __init__(self, luxel):
@@ -196,13 +216,20 @@ class Scenes:
         obj, mtl = random_scene(chance)
         (folder / "room.obj").write_text(obj)
         (folder / "room.mtl").write_text(mtl)
-        common = ["room.obj", "--max-edge", "0.5", "--sky", "none", "--seed", str(chance.randrange(1 << 30))]
-        self.run(["bake", *common, "--rays", "1M", "--mesh-error", "none", "--store-transport", "-o", "a.vtkhdf"], folder)
-        self.run(["reference", *common, "--samples", "400", "-o", "b.vtkhdf"], folder)
+        common = ["room.obj", "--max-edge", "0.5", "--sky", "none", "--threads", "1", "--seed", str(chance.randrange(1 << 30))]
+        self.run(["bake", *common, "--rays", "100k", "--mesh-error", "none", "--store-transport", "-o", "a.vtkhdf"], folder)
+        self.run(["reference", *common, "--samples", "50", "-o", "b.vtkhdf"], folder)
         compared = json.loads(self.run(["compare", "a.vtkhdf", "b.vtkhdf", "--json"], folder))
         measured = json.loads(self.run(["measure", "a.vtkhdf", "--json"], folder))
-        self.judge(compared, measured, folder)
+        bias, error = self.judge(compared, measured, folder)
         shutil.rmtree(folder)
+        return {"bias": bias, "squared_ratio": (bias / error) ** 2}
+
+    @staticmethod
+    def report(total):
+        tries = max(total["tries"], 1)
+        bias, ratio = total.get("bias", 0.0) / tries, (total.get("squared_ratio", 0.0) / tries) ** 0.5
+        return f"mean bias {100.0 * bias:+.3f} %, RMS of bias over its standard error {ratio:.2f}"
 
     def run(self, arguments, folder):
         result = run([self.luxel, *arguments], folder)
@@ -219,14 +246,74 @@ class Scenes:
         bias, error = compared["mean_bias"], (compared["bias_error"] ** 2 + common**2) ** 0.5
         if not abs(bias) <= self.limit * error:
             raise Finding(f"bias {bias:.4f}, standard error {error:.4f}: {folder}")
+        return bias, error
 
 
-ATTACKS = {"kills": Kills, "signals": Signals, "scenes": Scenes}
+# ---- Damaged files ----
+
+class Fuzz:
+    """A minute of libFuzzer on one of the readers, with sanitizers; the corpus grows from try to try."""
+
+    at_once = CORES
+    seconds = 60
+    binaries, state = ROOT / "build/fuzz/bin", ROOT / "build/fuzz"
+
+    def __init__(self, _):
+        self.names = sorted(path.name.removeprefix("fuzz_") for path in self.binaries.glob("fuzz_*"))
+        if not self.names:
+            raise SystemExit("the harnesses are not built: ./dev soak fuzz builds them")
+
+    def attempt(self, chance):
+        name = chance.choice(self.names)
+        corpus, found = self.state / "corpus" / name, self.state / "found" / name
+        for folder in (corpus, found):
+            folder.mkdir(parents=True, exist_ok=True)
+        result = run([str(self.binaries / f"fuzz_{name}"), f"-max_total_time={self.seconds}", "-max_len=16384", "-timeout=20",
+                      "-rss_limit_mb=2560", f"-seed={chance.randrange(1, 1 << 31)}", f"-artifact_prefix={found}/", str(corpus),
+                      str(ROOT / "tests/fuzz/corpus" / name)], ROOT)
+        if result.returncode != 0:
+            raise Finding(f"fuzz_{name} ended with {result.returncode}; its file is in {found}\n{result.stderr[-4000:]}")
+        done = re.search(r"Done (\d+) runs", result.stderr)
+        return {"inputs": int(done[1]) if done else 0}
+
+    @staticmethod
+    def report(total):
+        return f"{total.get('inputs', 0)} inputs"
+
+
+ATTACKS = {"kills": Kills, "signals": Signals, "scenes": Scenes, "fuzz": Fuzz}
+BY_DEFAULT = ("kills", "signals", "scenes")
 
 
 def cpu_seconds():
     own, children = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
     return own.ru_utime + own.ru_stime + children.ru_utime + children.ru_stime
+
+
+def several_tries(name, attack, total):
+    """As many tries as run side by side; added to the totals. Returns the number of findings."""
+
+    def attempt(number):
+        try:
+            return attack.attempt(random.Random(f"{name} {number}"))
+        except Finding as finding:
+            (STATE / "findings").mkdir(exist_ok=True)
+            (STATE / "findings" / f"{name}-{number}.txt").write_text(f"{finding}\n")
+            print(f"FOUND by {name}, try {number}: {finding}", flush=True)
+            return {"findings": 1}
+
+    before, found = cpu_seconds(), 0
+    numbers = range(total["tries"], total["tries"] + attack.at_once)
+    with ThreadPoolExecutor(attack.at_once) as pool:
+        for increments in pool.map(attempt, numbers):
+            found += increments.get("findings", 0)
+            for key, value in increments.items():
+                total[key] = total.get(key, 0) + value
+    total["tries"] += attack.at_once
+    total["cpu_seconds"] += cpu_seconds() - before
+    if longest := getattr(attack, "longest", 0.0):
+        total["longest_seconds"] = round(max(total.get("longest_seconds", 0.0), longest), 2)
+    return found
 
 
 def main():
@@ -241,32 +328,20 @@ def main():
     STATE.mkdir(parents=True, exist_ok=True)
     totals_file = STATE / "totals.json"
     totals = json.loads(totals_file.read_text()) if totals_file.exists() else {}
-    names = options.attacks or list(ATTACKS)
+    names = options.attacks or BY_DEFAULT
     end = time.monotonic() + 60.0 * min(options.minutes, 60.0)
     attacks = {name: ATTACKS[name](os.path.abspath(options.luxel)) for name in names}
     found = 0
     while time.monotonic() < end:
         for name in names:
-            total = totals.setdefault(name, {"tries": 0, "findings": 0, "cpu_seconds": 0.0})
-            before = cpu_seconds()
-            try:
-                attacks[name].attempt(random.Random(f"{name} {total['tries']}"))
-            except Finding as finding:
-                found += 1
-                total["findings"] += 1
-                (STATE / "findings").mkdir(exist_ok=True)
-                (STATE / "findings" / f"{name}-{total['tries']}.txt").write_text(f"{finding}\n")
-                print(f"FOUND by {name}, try {total['tries']}: {finding}", flush=True)
-            total["tries"] += 1
-            if longest := getattr(attacks[name], "longest", 0.0):
-                total["longest_seconds"] = round(max(total.get("longest_seconds", 0.0), longest), 2)
-            total["cpu_seconds"] += cpu_seconds() - before
+            found += several_tries(name, attacks[name], totals.setdefault(name, {"tries": 0, "findings": 0, "cpu_seconds": 0.0}))
             totals_file.write_text(json.dumps(totals, indent=2))
             if time.monotonic() >= end:
                 break
     for name, total in totals.items():
         longest = f", the longest took {total['longest_seconds']} s" if "longest_seconds" in total else ""
-        print(f"{name:8} {total['tries']:6} tries {total['findings']:3} findings {total['cpu_seconds']:8.0f} CPU s in all{longest}")
+        print(f"{name:8} {total['tries']:6} tries {total['findings']:3} findings {total['cpu_seconds']:8.0f} CPU s in all, "
+              f"{ATTACKS[name].report(total)}{longest}")
     return 1 if found else 0
 
 

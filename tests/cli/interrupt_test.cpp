@@ -41,7 +41,7 @@ TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
   const auto folder = fresh_folder("interrupt_picture");
   const auto run = run_interrupted(
       folder,
-      "$LUXEL bake cornell-box.obj --method shooting --rays 10k --max-edge 0.1 --width 8000 --height 8000 "
+      "$LUXEL bake cornell-box.obj --method shooting --rays 10k --max-edge 0.1 --width 5000 --height 5000 "
       "-o a.png -o a.vtkhdf",
       "test -e a.vtkhdf", "0.5");
   EXPECT_EQ(run.code, 3) << run.err;

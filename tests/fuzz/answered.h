@@ -11,17 +11,21 @@
 
 namespace luxel {
 
-// For any bytes a reader returns a sound scene or throws an InputError that names the file. Anything else
-// ends the program, which libFuzzer reports.
-template <typename Load>
+// For any bytes a reader returns sound data or throws an error for the user that names the file, whose path
+// has "nowhere/" in it. Anything else ends the program, which libFuzzer reports.
+template <typename Error = InputError, typename Load>
 int answered(const std::uint8_t* data, std::size_t size, Load load) {
   try {
     load(std::string_view(reinterpret_cast<const char*>(data), size));
-  } catch (const InputError& error) {
+  } catch (const Error& error) {
     if (std::string_view(error.what()).find("nowhere/") == std::string_view::npos) std::abort();
-    return 0;
   }
   return 0;
+}
+
+// For what was read: false ends the program.
+inline void expect(bool is_sound) {
+  if (!is_sound) std::abort();
 }
 
 // A scene that was read must be sound: an error of check_scene() is a defect of the reader.

@@ -16,9 +16,9 @@ void expect_sound_light(const Photometry& photometry) {
   const auto flux = intensity.linear_flux() + intensity.zonal_flux();
   const auto figures = photometric_figures(intensity);
   const auto sum = figures.downward_fraction + figures.x.beam_angle + figures.y.field_angle;
-  if (!(flux >= 0.0) || !std::isfinite(flux) || !(sum >= 0.0) || !std::isfinite(sum)) std::abort();
-  if (!(intensity.at({0.3, -0.2, -1.0}) >= 0.0)) std::abort();
-  if (polar_svg(photometry).empty()) std::abort();
+  expect(flux >= 0.0 && std::isfinite(flux) && sum >= 0.0 && std::isfinite(sum));
+  expect(intensity.at({0.3, -0.2, -1.0}) >= 0.0);
+  expect(!polar_svg(photometry).empty());
 }
 
 }  // namespace

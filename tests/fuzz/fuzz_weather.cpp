@@ -10,10 +10,6 @@
 namespace luxel {
 namespace {
 
-void expect(bool is_sound) {
-  if (!is_sound) std::abort();
-}
-
 // A file that was read has instants, light that is not negative, and skies of it.
 void expect_sound_weather(const Weather& weather) {
   const auto figures = weather_figures(weather);

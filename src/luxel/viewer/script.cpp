@@ -42,7 +42,7 @@ constexpr Verb verbs[] = {
     {"picture", 3, 99, "picture WIDTH HEIGHT FILE"},
     {"save", 1, 99, "save FILE"},
     {"method", 1, 1, "method NAME"},
-    {"error", 1, 1, "error SHARE"},
+    {"error", 1, 1, "error ERROR"},
     {"bounces", 1, 1, "bounces COUNT|all"},
     {"pause", 0, 0, "pause"},
     {"resume", 0, 0, "resume"},
