@@ -10,8 +10,9 @@
 #include "luxel/cli/console.h"
 #include "luxel/cli/file_date.h"
 #include "luxel/cli/lighting_report_json.h"
-#include "luxel/cli/probe_points.h"
 #include "luxel/cli/report_daylight.h"
+#include "luxel/cli/report_measurements.h"
+#include "luxel/cli/report_observers.h"
 #include "luxel/cli/report_settings.h"
 #include "luxel/cli/solved_scene.h"
 #include "luxel/cli/streams.h"
@@ -101,14 +102,15 @@ class ReportCommand final : public Command {
       if (!solved) return false;
       keep_files_of(solved->scene);
     }
-    if (!measure_planes(stored, *probe, solved ? &solved->scene : nullptr, place, report)) return false;
-    measure_surfaces(stored, place.context, report);
-    if (settings_.has_unfolded && !measure_faces(*probe, stored, place, report)) return false;
-    if (!measure_glare(*probe, place, report)) return false;
+    ReportMeasurements measurements(settings_, stored, *probe, place);
+    if (!measurements.add_planes(solved ? &solved->scene : nullptr, report)) return false;
+    measurements.add_surfaces(report);
+    if (settings_.has_unfolded && !measurements.add_faces(report)) return false;
+    if (!add_observers(settings_, *probe, place, report)) return false;
     if (settings_.has_picture) report.picture = draw(stored.baked, tracer, place);
     if (daylight_.is_wanted() && !daylight_.add(solved->scene, settings_.scene, place, report)) return false;
     if (interrupted()) return false;
-    add_warnings(stored, report);
+    add_warnings(stored, measurements.seconds_of_planes(), report);
     return true;
   }
 
@@ -140,167 +142,6 @@ class ReportCommand final : public Command {
                      .errors = probe.solved().errors()};
   }
 
-  // Returns false where the user stopped the work.
-  bool measure_planes(const StoredRun& stored, const SolutionProbe& probe, const Scene* solved,
-                      const Workplace& place, LightingReport& report) const {
-    constexpr double lift = 0.02;  // m: height above the plane at which the plan of the drawings is cut
-    const AreaScene scene{probe.patches(), stored.baked.solution, probe.tracer(), report.room.axes.up,
-                          solved};
-    for (const auto& area : areas_of(report)) {
-      auto result = place.record.stage(area.name, [&](auto&) {
-        return measure_plane(probe, area, scene, settings_.probe, place.console.reporting(place.context));
-      });
-      if (!result) return false;
-      seconds_ += place.record.stages().back().seconds;
-      PlaneDrawing drawing{
-          .plan = plan_of(probe.patches(), result->grid, lift), .max_height = drawing_height, .title = {}};
-      if (!add_finer(*result, probe, scene, place, drawing)) return false;
-      report.planes.push_back({std::move(*result), std::move(drawing)});
-    }
-    return true;
-  }
-
-  // The working planes, and the areas of the file.
-  std::vector<CalculationArea> areas_of(LightingReport& report) const {
-    CalculationArea like;
-    like.requirement = settings_.required.requirement();
-    if (like.requirement.Ez || like.requirement.modelling_min) {
-      like.has_cylinders = true;
-      like.Ez_height = report.room.low.z + settings_.eye_height;
-    }
-    std::vector<CalculationArea> of_file;
-    if (!settings_.areas.empty()) {
-      const auto toml = read_area_file(settings_.areas);
-      auto table = settings_.required.table();
-      table.add(toml);
-      of_file = luxel::areas_of(toml, table, report.room.axes.up);
-      like.maintenance = maintenance_of(toml).value_or(MaintenanceFactor{});
-    }
-    if (settings_.maintenance > 0.0) {
-      like.maintenance = MaintenanceFactor{};
-      like.maintenance.factor = settings_.maintenance;
-    }
-    report.maintenance.area = like.maintenance;
-    auto areas = working_planes(report.room, settings_.plane_height, settings_.border, like);
-    for (auto& area : of_file) areas.push_back(std::move(area));
-    return areas;
-  }
-
-  // Points three times as close for isolux lines, of planes that these do not make slow. Returns false where
-  // the user stopped the work.
-  bool add_finer(const PlaneResult& result, const SolutionProbe& probe, const AreaScene& scene,
-                 const Workplace& place, PlaneDrawing& drawing) const {
-    constexpr std::size_t max_points = 4000;
-    const auto& grid = result.grid;
-    if (!(grid.height > 0.0) || 9 * grid.points() > max_points) return true;
-    // Isolux lines of nearly even light show errors that are invisible in uneven light.
-    const auto contrast = (result.max.value - result.min.value) / std::max(result.mean.value, 1e-9);
-    auto finer = measure_finer(result.area,
-                               std::max(grid.width / static_cast<double>(grid.columns),
-                                        grid.height / static_cast<double>(grid.rows)),
-                               std::clamp(0.01 * contrast, 0.001, 0.02), probe, scene, place);
-    if (!finer) return false;
-    drawing.finer_grid = finer->grid;
-    for (const auto& light : finer->light) drawing.finer_values.push_back(light.illuminance);
-    return true;
-  }
-
-  // The light of an area at points a third of the spacing apart, without verdicts. error: of the sampling.
-  std::optional<PlaneResult> measure_finer(CalculationArea area, double spacing, double error,
-                                           const SolutionProbe& probe, const AreaScene& scene,
-                                           const Workplace& place) const {
-    area.spacing = spacing / 3.0;
-    area.requirement = {};
-    area.has_cylinders = false;
-    auto options = settings_.probe;
-    options.error = error;
-    return place.record.stage("drawing of " + area.name, [&](auto&) {
-      return measure_plane(probe, area, scene, options, place.console.reporting(place.context));
-    });
-  }
-
-  // Returns false where the user stopped the work.
-  bool measure_faces(const SolutionProbe& probe, const StoredRun& stored, const Workplace& place,
-                     LightingReport& report) const {
-    const AreaScene scene{probe.patches(), stored.baked.solution, probe.tracer(), report.room.axes.up,
-                          nullptr};
-    for (auto& face : faces_of(report.room, probe.patches())) {
-      face.area.maintenance = report.maintenance.area;
-      const auto size = report.room.high - report.room.low;
-      auto result =
-          measure_finer(face.area, std::max({size.x, size.y, size.z}) / 12.0, 0.01, probe, scene, place);
-      if (!result) return false;
-      report.unfolded.push_back({std::move(face), std::move(*result)});
-    }
-    return true;
-  }
-
-  static void measure_surfaces(const StoredRun& stored, const Context& context, LightingReport& report) {
-    const auto& patches = stored.baked.patches;
-    std::vector<std::vector<float>> replicates;
-    if (stored.samples) replicates = replicate_illuminance(patches, *stored.samples, context);
-    const SurfaceMeter meter(patches, stored.baked.solution, std::move(replicates));
-    const auto add = [&](const char* name, const std::vector<std::uint32_t>& among) {
-      if (!among.empty()) report.surfaces.push_back({name, meter.measure(among, SurfaceSide::automatic)});
-    };
-    add("floor", report.room.floor);
-    add("walls", report.room.walls);
-    add("ceiling", report.room.ceiling);
-  }
-
-  // Returns false where the user stopped the work.
-  bool measure_glare(const SolutionProbe& probe, const Workplace& place, LightingReport& report) const {
-    const GlareMeter meter(probe, report.room.axes.up);
-    if (meter.lamps() == 0) return true;
-    report.observers = wall_observers(report.room, settings_.eye_height);
-    add_observers_of_file(report);
-    std::vector<GlareObserver> observers;
-    for (const auto& o : report.observers)
-      observers.push_back(
-          {Vec3(report.room.axes.in_scene(o.place.eye) - probe.patches().origin), Vec3(o.view)});
-    const auto glare = place.record.stage("observers", [&](auto&) {
-      return observe_glare(meter, observers, settings_.glare, place.console.reporting(place.context));
-    });
-    if (glare.empty()) return false;
-    for (std::size_t i = 0; i < glare.size(); ++i) report.observers[i].glare = glare[i];
-    judge_observers(report);
-    return true;
-  }
-
-  void add_observers_of_file(LightingReport& report) const {
-    if (settings_.observers.empty()) return;
-    const auto list = read_points(settings_.observers, Vec3d(0.0));
-    for (std::size_t i = 0; i < list.position.size(); ++i) {
-      if (!(glm::length(list.normal[i]) > 0.0))
-        throw InputError(settings_.observers,
-                         "expected where observers look: x,y,z,nx,ny,nz on each line, or columns nx, ny, nz");
-      ReportObserver observer;
-      observer.view = list.normal[i];
-      observer.place.name = observer_name(report.observers.size());
-      observer.place.eye = report.room.axes.in_plan(list.position[i]);
-      const auto view = report.room.axes.in_plan(observer.view);
-      const PlanPoint level(view.x, view.y);
-      if (glm::length(level) > 0.0) observer.place.view = glm::normalize(level);
-      const auto at = observer.place.eye - report.room.low;
-      observer.description = fmt::format("{:.2f}, {:.2f} m, eyes at {:.2f} m", at.x, at.y, at.z);
-      report.observers.push_back(std::move(observer));
-    }
-  }
-
-  static void judge_observers(LightingReport& report) {
-    const auto named = report.named_glare();
-    const auto is_working_plane = [&](std::size_t i) { return i < report.room.outline.size(); };
-    for (std::size_t i = 0; i < report.planes.size(); ++i) {
-      auto& result = report.planes[i].result;
-      const auto verdict = judge_glare(result.area, named, report.room.axes.up);
-      if (!verdict) continue;
-      if (is_working_plane(i))
-        report.ugr_verdict = judge_glare(named, *result.area.requirement.ugr);
-      else
-        result.verdicts.push_back(*verdict);
-    }
-  }
-
   std::string draw(const Baked& baked, const Tracer& tracer, const Workplace& place) const {
     constexpr int width = 960, height = 720;  // pixels
     return place.record.stage("picture", [&](auto&) {
@@ -315,7 +156,8 @@ class ReportCommand final : public Command {
     });
   }
 
-  void add_warnings(const StoredRun& stored, LightingReport& report) const {
+  // seconds_of_planes: s, that measuring them took.
+  void add_warnings(const StoredRun& stored, double seconds_of_planes, LightingReport& report) const {
     VerdictEffort effort(settings_.probe);
     for (const auto& [result, drawing] : report.planes) {
       effort.add(result.verdicts, result.light);
@@ -323,8 +165,8 @@ class ReportCommand final : public Command {
         report.warnings.push_back(sentence(twice));
     }
     if (report.ugr_verdict) effort.add(*report.ugr_verdict);
-    for (const auto& text :
-         effort.sentences({file_, stored.baked.solution.seen_error, stored.samples != nullptr}, seconds_))
+    for (const auto& text : effort.sentences(
+             {file_, stored.baked.solution.seen_error, stored.samples != nullptr}, seconds_of_planes))
       report.warnings.push_back(sentence(text));
     if (report.luminaires.types.empty())
       report.warnings.push_back(
@@ -380,10 +222,7 @@ class ReportCommand final : public Command {
     return text;
   }
 
-  static constexpr double drawing_height = 195.0;  // pixels of 720 in width: two drawings fit on a page
-
   std::string file_;
-  mutable double seconds_ = 0.0;  // that the planes took
   ReportSettings settings_;
   ReportDaylight daylight_;
   LookSettings look_;

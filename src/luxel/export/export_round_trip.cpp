@@ -14,7 +14,6 @@
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
 #include "luxel/core/hint.h"
-#include "luxel/core/none.h"
 #include "luxel/core/output_file.h"
 #include "luxel/export/back_gap.h"
 #include "luxel/export/light_metadata.h"
@@ -22,13 +21,13 @@
 #include "luxel/export/mapped_surfaces.h"
 #include "luxel/export/opening_bodies.h"
 #include "luxel/export/quantise.h"
+#include "luxel/export/round_trip_colours.h"
 #include "luxel/export/round_trip_materials.h"
 #include "luxel/export/round_trip_primitive.h"
 #include "luxel/export/scene_gltf.h"
 #include "luxel/export/unwrapped_obj.h"
 #include "luxel/export/write_glb.h"
 #include "luxel/image/image_file.h"
-#include "luxel/import/gltf_array.h"
 #include "luxel/import/gltf_writer.h"
 #include "luxel/import/is_gltf.h"
 #include "luxel/patch/side.h"
@@ -77,9 +76,9 @@ class RoundTripExport {
     return true;
   }
 
-  // Writes COLOR_0 and _IRRADIANCE. front, back: [element][band], W/m², indexed by the surface's vertices.
+  // Writes COLOR_0 and _IRRADIANCE. light: see vertex_colours().
   void colour(const RoundTripPart& part, const RoundTripSurface& surface, const std::string& path,
-              const std::vector<float>& front, const std::vector<float>& back);
+              const SideValues& light);
   // code(pixel): its encoded value. Returns the textures; none where the monitor stops the work.
   template <typename Code>
   std::vector<std::size_t> add_pages(const std::vector<Image>& pages, const char* name, const Code& code,
@@ -184,53 +183,24 @@ void RoundTripExport::take_off(const std::map<std::size_t, std::vector<std::size
 }
 
 void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& surface,
-                             const std::string& path, const std::vector<float>& front,
-                             const std::vector<float>& back) {
+                             const std::string& path, const SideValues& light) {
   const auto profile = profile_of(options_.program);
   const auto colours = input_.patches.colours();
-  const auto& material = material_of(part);
-  const auto json = material_json(part);
-  const bool textured = RoundTripMaterials::is_textured(json);
-  BandMaterial plain = material;
-  if (textured && material.textures.reflectance && input_.patches.has_colours())
+  auto material = material_of(part);
+  if (RoundTripMaterials::is_textured(material_json(part)) && material.textures.reflectance &&
+      input_.patches.has_colours())
     for (int b = 0; b < 3; ++b)
-      plain.reflectance[static_cast<std::size_t>(b)] = material.textures.reflectance_factor[b];
-  const auto own = part.drawn.primitive["attributes"]["COLOR_0"];
-  std::optional<GltfArray> tints;
-  if (own) tints.emplace(*file_, own, 3, 4);
-  const auto tint_of = [&](std::size_t v) {
-    if (!tints) return Vec3(1.0f);
-    const auto count = surface.own.size();
-    const auto vertex =
-        v < count ? RoundTripVertex{{surface.own[v], 0, 0}, {1.0, 0.0, 0.0}} : surface.added[v - count];
-    Vec3d sum(0.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto c = tints->at(vertex.of[i]);
-      sum += vertex.weights[static_cast<int>(i)] * Vec3d(c[0], c[1], c[2]);
-    }
-    return Vec3(sum);
-  };
-  const auto& values = surface.back ? back : front;
-  const auto& behind = surface.back ? front : back;
+      material.reflectance[static_cast<std::size_t>(b)] = material.textures.reflectance_factor[b];
+  const auto vertices = vertex_colours(*file_, part, surface, material, light, colours);
   std::vector<Rgba16> shown;
-  std::vector<Vec3> irradiance;
-  for (std::size_t v = 0; v < surface.light.size(); ++v) {
-    if (surface.light[v] == none) {
-      shown.push_back(quantise(Vec3(0.0f)));
-      irradiance.emplace_back(0.0f);
-      continue;
-    }
-    const auto* here = &values[surface.light[v] * colours.bands()];
-    const SeenIrradiance light{here, &behind[surface.light[v] * colours.bands()]};
-    const TextureRatio fraction{.fine_reflectance = tint_of(v)};
-    const auto seen = curve_(in_gamut(radiance_of(plain, surface.back, light, colours, fraction)));
+  for (const auto& radiance : vertices.radiance) {
+    const auto seen = curve_(radiance);
     shown.push_back(quantise(profile.colours_are_srgb ? srgb_codes(seen) : seen));
-    irradiance.push_back(Vec3(colours.rgb(std::span(here, colours.bands()))));
   }
   const auto attributes = path + "/attributes/";
   copy_.put(attributes + "COLOR_0", copy_.add_colours(shown));
   if (profile.keeps_irradiance)
-    copy_.put(attributes + "_IRRADIANCE", copy_.add_vectors(std::span<const Vec3>(irradiance)));
+    copy_.put(attributes + "_IRRADIANCE", copy_.add_vectors(std::span<const Vec3>(vertices.irradiance)));
   materials_.shadeless(path, part.drawn.primitive["material"]);
 }
 
@@ -310,15 +280,15 @@ void put_pages(RoundTripExport& output, const RoundTripPages& pages, const Mater
              });
 }
 
-// surfaces_of(preserved, part); front, back: see RoundTripExport::colour().
+// surfaces_of(scene, part); light: see vertex_colours().
 template <typename SurfacesOf>
 void export_vertices(const std::filesystem::path& path, const RoundTripInput& input,
                      const RoundTripOptions& options, const SurfacesOf& surfaces_of,
-                     const std::vector<float>& front, const std::vector<float>& back) {
+                     const SideValues& light) {
   RoundTripExport output(input, options);
   output.put([&](const RoundTripPart& part) { return surfaces_of(output.round_trip(), part); },
              [&](const RoundTripPart& part, const RoundTripSurface& surface, const std::string& place) {
-               output.colour(part, surface, place, front, back);
+               output.colour(part, surface, place, light);
              });
   output.describe("vertex", vertex_light(output.curve(), profile_of(options.program)));
   output.write(path, {});
@@ -333,12 +303,12 @@ void export_round_trip_cut(const std::filesystem::path& path, const RoundTripInp
       [&](const RoundTripScene& round_trip, const RoundTripPart& part) {
         return cut_surfaces(round_trip, part, light);
       },
-      light.irradiance.front, light.irradiance.back);
+      light.irradiance);
 }
 
 void export_round_trip_uncut(const std::filesystem::path& path, const RoundTripInput& input,
                              const VertexFit& fit, const RoundTripOptions& options) {
-  export_vertices(path, input, options, uncut_surfaces, fit.irradiance.front, fit.irradiance.back);
+  export_vertices(path, input, options, uncut_surfaces, fit.irradiance);
 }
 
 bool export_round_trip_lightmap(const std::filesystem::path& path, const RoundTripInput& input,
