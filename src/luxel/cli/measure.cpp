@@ -14,6 +14,7 @@
 #include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 #include "luxel/patch/focus.h"
+#include "luxel/render/solution_light.h"
 #include "luxel/render/surface_measure.h"
 #include "luxel/runs/run_record.h"
 #include "luxel/runs/settings.h"
@@ -60,9 +61,7 @@ class Measure final : public Command {
     const auto stored = record.stage("read", [&](auto&) { return read_stored_run(file_); });
     const auto& patches = stored.baked.patches;
     const auto& solution = stored.baked.solution;
-    if (!patches.has_colours())
-      throw InputError(file_,
-                       "its bands are neither red, green and blue nor wavelengths, so that there are no lux");
+    check_has_lux(patches, file_);
     std::optional<SolvedScene> solved;
     if (!scene_file_.empty()) {
       solved = record.stage(

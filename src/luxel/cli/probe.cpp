@@ -14,8 +14,8 @@
 #include "luxel/cli/streams.h"
 #include "luxel/cli/table_output.h"
 #include "luxel/cli/workplace.h"
-#include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
+#include "luxel/render/solution_light.h"
 #include "luxel/runs/outputs.h"
 #include "luxel/runs/picture_camera.h"
 #include "luxel/runs/run_record.h"
@@ -62,9 +62,7 @@ class ProbeCommand final : public Command {
     const auto& patches = stored.baked.patches;
     const auto& solution = stored.baked.solution;
     restore_up(solution.provenance, look_);
-    if (!patches.has_colours())
-      throw InputError(file_,
-                       "its bands are neither red, green and blue nor wavelengths, so that there are no lux");
+    check_has_lux(patches, file_);
 
     const Vec3d up(up_of(look_, patches));
     if (settings_.areas.is_given()) return run_areas(stored, up, {context, console, record});

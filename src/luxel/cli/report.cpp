@@ -19,11 +19,11 @@
 #include "luxel/cli/verdict_effort.h"
 #include "luxel/cli/workplace.h"
 #include "luxel/cli/wrapped_text.h"
-#include "luxel/core/error.h"
 #include "luxel/core/output_file.h"
 #include "luxel/export/number_text.h"
 #include "luxel/export/report_page.h"
 #include "luxel/image/image_file.h"
+#include "luxel/render/solution_light.h"
 #include "luxel/runs/outputs.h"
 #include "luxel/runs/picture_camera.h"
 #include "luxel/runs/run_record.h"
@@ -65,9 +65,7 @@ class ReportCommand final : public Command {
     const Context context(run_.threads);
     RunRecord record;
     const auto stored = record.stage("read", [&](auto&) { return read_stored_run(file_); });
-    if (!stored.baked.patches.has_colours())
-      throw InputError(file_,
-                       "its bands are neither red, green and blue nor wavelengths, so that there are no lux");
+    check_has_lux(stored.baked.patches, file_);
     restore_up(stored.baked.solution.provenance, look_);
     console.announce("hierarchy");
     const auto tracer =

@@ -8,7 +8,7 @@
 #include "luxel/cli/table_output.h"
 #include "luxel/cli/ugr_output.h"
 #include "luxel/cli/ugr_settings.h"
-#include "luxel/core/error.h"
+#include "luxel/render/solution_light.h"
 #include "luxel/runs/outputs.h"
 #include "luxel/runs/picture_camera.h"
 #include "luxel/runs/run_record.h"
@@ -43,9 +43,7 @@ class UgrCommand final : public Command {
     RunRecord record;
     const auto stored = record.stage("read", [&](auto&) { return read_stored_run(file_); });
     const auto& patches = stored.baked.patches;
-    if (!patches.has_colours())
-      throw InputError(file_,
-                       "its bands are neither red, green and blue nor wavelengths, so that there are no lux");
+    check_has_lux(patches, file_);
     restore_up(stored.baked.solution.provenance, look_);
 
     const Vec3d up(up_of(look_, patches));

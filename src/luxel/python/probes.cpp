@@ -9,11 +9,11 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "luxel/core/error.h"
 #include "luxel/lighting/calculation_plane.h"
 #include "luxel/python/arrays.h"
 #include "luxel/python/handles.h"
 #include "luxel/render/probe_sphere.h"
+#include "luxel/render/solution_light.h"
 #include "luxel/runs/picture_camera.h"
 
 namespace py = pybind11;
@@ -35,15 +35,9 @@ std::vector<ProbePoint> points_of(const PatchSet& patches, const Floats& positio
   return points;
 }
 
-void check_has_lux(const SolutionHandle& handle) {
-  if (!handle.baked.patches.has_colours())
-    throw InputError(handle.name,
-                     "its bands are neither red, green and blue nor wavelengths, so that there are no lux");
-}
-
 py::object probe(SolutionHandle& handle, const Floats& positions, const Floats& normals,
                  const ProbeOptions& options, const CallOptions& call) {
-  check_has_lux(handle);
+  check_has_lux(handle.baked.patches, handle.name);
   const auto points = points_of(handle.baked.patches, positions, normals);
   auto reporter = call.reporter();
   const auto light = reporter.run([&] {
@@ -78,7 +72,7 @@ py::object probe(SolutionHandle& handle, const Floats& positions, const Floats& 
 
 py::object spheres(SolutionHandle& handle, const Floats& positions, std::size_t count,
                    const ProbeOptions& options, const CallOptions& call) {
-  check_has_lux(handle);
+  check_has_lux(handle.baked.patches, handle.name);
   Floats normals({positions.shape(0), py::ssize_t{3}});
   auto n = normals.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < n.shape(0); ++i) n(i, 0) = n(i, 1) = 0.0, n(i, 2) = 1.0;
@@ -117,7 +111,7 @@ py::array grid_of(const PlaneResult& plane, double (*value)(const ProbedLight&))
 
 py::object measure(SolutionHandle& handle, const CalculationArea& area, const SceneHandle* scene,
                    const ProbeOptions& options, const CallOptions& call) {
-  check_has_lux(handle);
+  check_has_lux(handle.baked.patches, handle.name);
   const auto& baked = handle.baked;
   LookSettings look;
   restore_up(baked.solution.provenance, look);

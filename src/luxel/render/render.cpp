@@ -14,7 +14,6 @@
 #include "luxel/patch/colour_patches.h"
 #include "luxel/render/pane_colours.h"
 #include "luxel/render/pinhole.h"
-#include "luxel/render/sky_colours.h"
 #include "luxel/render/sky_look.h"
 #include "luxel/render/visible_luminaires.h"
 #include "luxel/scene/band_colours.h"
@@ -56,15 +55,13 @@ struct Shot {
   const BandColours& colours;
   const FineColours& fine;
   const VisibleLuminaires& luminaires;
-  const SkyColours& sky;
+  const DisplayedSky& sky;
   const PaneColours& panes;
-  Vec3d zenith;
-  double ground;  // see sky_look()
 };
 
 // light: scratch, [band] of the side that is seen, [band] of the other one.
 Vec3d radiance_at(const Shot& shot, const Ray& ray, const Hit& hit, std::vector<float>& light) {
-  if (!hit) return shot.sky.at(Vec3d(ray.direction));
+  if (!hit) return shot.sky.colours().at(Vec3d(ray.direction));
   const auto bands = light.size() / 2;
   const auto add = [&](SideId side, float* to) {
     for (std::size_t band = 0; band < bands; ++band)
@@ -134,10 +131,7 @@ Vec3 pixel_radiance(const Shot& shot, int x, int y, PixelParts& parts) {
     const auto lamp = shot.luminaires.empty() ? std::nullopt : shot.luminaires.first(ray, hit.distance);
     const auto passed = shot.panes.along(ray, lamp ? lamp->distance : hit.distance);
     const auto radiance = passed * (lamp ? lamp->radiance : radiance_at(shot, ray, hit, parts.light));
-    const auto displayed =
-        hit || lamp || !shot.sky.is_even_above()
-            ? radiance
-            : passed * sky_look(shot.sky.above(), shot.ground, glm::dot(Vec3d(ray.direction), shot.zenith));
+    const auto displayed = hit || lamp ? radiance : passed * shot.sky.at(Vec3d(ray.direction));
     sum += radiance;
     shown += displayed;
     of_sky += hit || lamp ? 0 : 1;
@@ -161,12 +155,11 @@ Picture render_picture(const PatchSet& patches, const SmoothLight& light, const 
   check(patches, light, options);
   const Pinhole pinhole(camera, options.width, options.height);
   const auto colours = patches.colours();
-  const SkyColours sky(patches, colours);
+  const DisplayedSky sky(patches, camera);
   const PaneColours panes(patches, colours);
   const FineColours fine(patches, context);
   const VisibleLuminaires luminaires(patches, colours);
-  const Shot shot{patches, light,      tracer, pinhole, options,           colours,
-                  fine,    luminaires, sky,    panes,   zenith_of(camera), ground_look(patches)};
+  const Shot shot{patches, light, tracer, pinhole, options, colours, fine, luminaires, sky, panes};
   Picture picture{Image(options.width, options.height), {parts_per_pixel(options), {}, {}}, {}};
 
   const auto width = static_cast<std::size_t>(options.width);

@@ -10,13 +10,18 @@
 #include "luxel/render/pane_colours.h"
 #include "luxel/render/pinhole.h"
 #include "luxel/render/render.h"
-#include "luxel/render/sky_colours.h"
 #include "luxel/scene/band_colours.h"
 
 namespace luxel {
 namespace {
 
 constexpr std::size_t pixels_per_chunk = 256;
+
+// Unit vector of the camera's up direction; zero where up is zero.
+Vec3d zenith_of(const Camera& camera) {
+  const auto length = glm::length(Vec3d(camera.up));
+  return length > 0.0 ? Vec3d(camera.up) / length : Vec3d(0.0);
+}
 
 }  // namespace
 
@@ -30,9 +35,12 @@ Vec3d sky_look(const Vec3d& radiance, double ground, double height) {
          radiance;
 }
 
-Vec3d zenith_of(const Camera& camera) {
-  const auto length = glm::length(Vec3d(camera.up));
-  return length > 0.0 ? Vec3d(camera.up) / length : Vec3d(0.0);
+DisplayedSky::DisplayedSky(const PatchSet& patches, const Camera& camera)
+    : colours_(patches, patches.colours()), zenith_(zenith_of(camera)), ground_(ground_look(patches)) {}
+
+Vec3d DisplayedSky::at(const Vec3d& direction) const {
+  return colours_.is_even_above() ? sky_look(colours_.above(), ground_, glm::dot(direction, zenith_))
+                                  : colours_.at(direction);
 }
 
 void add_sky(const SkyPixel& pixel, SkyPixels& sky) {
@@ -52,10 +60,8 @@ namespace {
 SkyPixels sky_pixels(const Image& radiance, const PatchSet& patches, const Tracer& tracer,
                      const Camera& camera, const RenderOptions& options, const Context& context) {
   const Pinhole pinhole(camera, radiance.width, radiance.height);
-  const auto zenith = zenith_of(camera);
-  const SkyColours colours(patches, patches.colours());
+  const DisplayedSky sky(patches, camera);
   const PaneColours panes(patches, patches.colours());
-  const auto ground = ground_look(patches);
   const auto side = options.samples_per_side;
   const auto width = static_cast<std::size_t>(radiance.width);
   std::vector<SkyPixels> chunks((radiance.pixels.size() + pixels_per_chunk - 1) / pixels_per_chunk);
@@ -67,11 +73,9 @@ SkyPixels sky_pixels(const Image& radiance, const PatchSet& patches, const Trace
       const auto ray = pinhole.ray_in_cell(static_cast<double>(pixel % width),
                                            static_cast<double>(pixel / width), key, cell, side);
       if (tracer.nearest(ray)) continue;
-      if (colours.is_even_above()) {
-        const Vec3d direction(ray.direction);
-        shown += panes.along(ray, std::numeric_limits<float>::infinity()) *
-                 (sky_look(colours.above(), ground, glm::dot(direction, zenith)) - colours.at(direction));
-      }
+      const Vec3d direction(ray.direction);
+      shown += panes.along(ray, std::numeric_limits<float>::infinity()) *
+               (sky.at(direction) - sky.colours().at(direction));
       ++seen;
     }
     if (seen == 0) return;

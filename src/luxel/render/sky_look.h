@@ -6,6 +6,7 @@
 #include "luxel/core/vector.h"
 #include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/render/sky_colours.h"
 #include "luxel/scene/camera.h"
 
 namespace luxel {
@@ -26,8 +27,21 @@ double ground_look(const PatchSet& patches);
 // value. ground: relative, see ground_look(). height: sine of the angle above the horizon, [-1, 1].
 Vec3d sky_look(const Vec3d& radiance, double ground, double height);
 
-// Unit vector of the camera's up direction; zero where up is zero.
-Vec3d zenith_of(const Camera& camera);
+// The sky as displays show it: an even one with the look above, others as they are. Immutable; safe for any
+// number of threads.
+class DisplayedSky {
+ public:
+  DisplayedSky(const PatchSet& patches, const Camera& camera);
+
+  const SkyColours& colours() const { return colours_; }
+  // direction: unit. Returns W/(m² sr), linear RGB.
+  Vec3d at(const Vec3d& direction) const;
+
+ private:
+  SkyColours colours_;
+  Vec3d zenith_;
+  double ground_;
+};
 
 // A pixel of a display's sky.
 struct SkyPixel {

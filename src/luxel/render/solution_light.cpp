@@ -52,6 +52,12 @@ bool has_replicates(const PatchSet& patches, const SampleState& samples) {
 
 }  // namespace
 
+void check_has_lux(const PatchSet& patches, const std::string& file) {
+  if (!patches.has_colours())
+    throw InputError(file,
+                     "its bands are neither red, green and blue nor wavelengths, so that there are no lux");
+}
+
 std::vector<double> lux_of_bands(const PatchSet& patches) {
   const auto colours = patches.colours();
   std::vector<double> lux;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "luxel/core/context.h"
@@ -24,6 +25,9 @@ enum class SolutionErrors {
 
 // "none", "patches", "replicates".
 const char* name(SolutionErrors errors);
+
+// Throws InputError, naming the solution's file, where the bands have no luminance.
+void check_has_lux(const PatchSet& patches, const std::string& file);
 
 // lx of 1 W/m² in each band. Throws MismatchError where the bands have no luminance.
 std::vector<double> lux_of_bands(const PatchSet& patches);
