@@ -78,6 +78,38 @@ TEST_F(Ranks, a_rank_that_dies_ends_the_run_and_the_checkpoint_goes_on_with_anot
   EXPECT_TRUE(read_file(folder / "end.vtkhdf") == read_file(folder / "whole.vtkhdf"));
 }
 
+// The second rank stands still for three seconds as soon as there is a checkpoint.
+TEST_F(Ranks, a_slow_one_ends_nothing_is_named_and_changes_no_byte) {
+  const auto folder = fresh_folder("ranks_slow");
+  ASSERT_EQ(cli::run(folder, fine_bake + "--error 1% -o whole.vtkhdf --quiet").code, 0);
+  const auto run = cli::run(
+      folder,
+      mpirun(2) + fine_bake +
+          "--error 1% --checkpoint run.vtkhdf --every 0 -o end.vtkhdf "
+          "& pid=$!; while [ ! -e run.vtkhdf ]; do sleep 0.02; kill -0 $pid || exit 9; done; "
+          "slow=$(pgrep -P $pid | sed -n 2p); kill -STOP $slow; sleep 3; kill -CONT $slow; wait $pid");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("rank 1 of 2 is slow: each of the others waited"), std::string::npos) << run.err;
+  EXPECT_TRUE(read_file(folder / "end.vtkhdf") == read_file(folder / "whole.vtkhdf"));
+}
+
+// Address sanitizers reserve more address space than any limit allows.
+#ifndef __SANITIZE_ADDRESS__
+TEST_F(Ranks, one_that_is_out_of_memory_ends_all_with_a_sentence) {
+  const auto folder = fresh_folder("ranks_memory");
+  const std::string line =
+      "$LUXEL bake cornell-box.obj --max-edge 0.01 --mesh-error none --error 0 --rays 200M "
+      "--memory 8GiB --threads 1 -o a.vtkhdf";
+  const auto run =
+      cli::run(folder, mpirun(1) + line + " : -n 1 sh -c \"ulimit -v 520000; exec " + line + "\"");
+  EXPECT_NE(run.code, 0);
+  const auto at = run.err.find("luxel: rank 1: ");
+  ASSERT_NE(at, std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("memory", at), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder / "a.vtkhdf"));
+}
+#endif
+
 TEST_F(Ranks, bad_input_is_one_sentence_and_ends_all) {
   const auto folder = fresh_folder("ranks_bad");
   const auto run = cli::run(folder, mpirun(3) + "$LUXEL bake nothing.obj -o a.vtkhdf");

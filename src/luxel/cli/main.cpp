@@ -2,6 +2,7 @@
 #include <chrono>
 #include <exception>
 #include <new>
+#include <string>
 #include <thread>
 
 #include <fmt/format.h>
@@ -24,6 +25,12 @@ void print_error(const std::string& sentence) {
       fmt::format("{} {}\n", paint(luxel::Style::error, "luxel:"), luxel::printable(sentence, false)));
 }
 
+std::string sentence_of(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+    return "out of memory; fewer patches (--max-edge) or a smaller picture need less";
+  return luxel::with_flags(error);
+}
+
 // Only a solve needs several ranks; only the first one writes to the terminal.
 int run(luxel::Command& command) {
   const auto ranks = luxel::join_ranks();
@@ -43,8 +50,8 @@ int run(luxel::Command& command) {
     if (!ranks) throw;
     // An error in a file is the same for all ranks: the first one reports it and ends the others.
     if (!is_first) std::this_thread::sleep_for(std::chrono::seconds(1));
-    print_error(is_first ? luxel::with_flags(error)
-                         : fmt::format("rank {}: {}", ranks->rank(), luxel::with_flags(error)));
+    print_error(is_first ? sentence_of(error)
+                         : fmt::format("rank {}: {}", ranks->rank(), sentence_of(error)));
     luxel::leave_ranks(luxel::exit_failed);
     throw;
   }
@@ -102,10 +109,8 @@ int main(int argc, char** argv) {
   } catch (const luxel::UsageError& error) {
     print_error(luxel::with_flags(error));
     return luxel::exit_misused;
-  } catch (const std::bad_alloc&) {
-    print_error("out of memory; fewer patches (--max-edge) or a smaller picture need less");
   } catch (const std::exception& error) {
-    print_error(luxel::with_flags(error));
+    print_error(sentence_of(error));
   }
   return luxel::exit_failed;
 }

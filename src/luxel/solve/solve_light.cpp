@@ -2,6 +2,7 @@
 #include "luxel/solve/solve_light.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "luxel/core/memory.h"
 #include "luxel/core/work_partition.h"
 #include "luxel/patch/check_light.h"
+#include "luxel/solve/slow_process.h"
 
 namespace luxel {
 namespace {
@@ -91,10 +93,17 @@ bool takes_uneven_sky(Method method) { return method == Method::sampled || metho
 
 SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution& solution,
                         const LightOptions& options, const SolveHooks& hooks, const Context& context) {
-  auto report = solve_by_method(patches, tracer, solution, options, hooks, context);
+  const auto begin = std::chrono::steady_clock::now();
   const SharedWork work(context);
+  const auto waited_before = work.traffic().seconds;
+  auto report = solve_by_method(patches, tracer, solution, options, hooks, context);
   report.processes = work.processes();
   report.traffic = work.traffic();
+  const auto waits = work.all_gather_value(report.traffic.seconds - waited_before);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  if (const auto slow = slow_process(waits, seconds.count()))
+    warn(context.log(), fmt::format("rank {} of {} is slow: each of the others waited {:.0f} s for it",
+                                    slow->process, waits.size(), slow->seconds));
   return report;
 }
 
