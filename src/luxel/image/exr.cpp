@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "luxel/image/codec.h"
+#include "luxel/image/exr_header.h"
 
 namespace luxel {
 namespace {
@@ -120,6 +121,7 @@ std::string encode_exr(const Image& linear, const Context& context) {
 }
 
 Raster decode_exr(std::string_view bytes) {
+  check_exr_header(bytes);
   try {
     MemoryIn memory(bytes);
     Imf::InputFile file(memory, 0);

@@ -152,6 +152,27 @@ TEST(ReadImage, a_giant_declared_size_is_refused_before_decoding) {
             std::string::npos);
 }
 
+// OpenEXR would allocate the two gigabytes first. The attribute is the first one, of one or of several parts.
+TEST(ReadImage, a_giant_attribute_of_an_exr_is_refused_before_it_is_allocated) {
+  for (const char flags : {'\x00', '\x10'}) {
+    const std::string header = std::string("\x76\x2f\x31\x01\x02", 5) + flags + std::string("\0\0", 2);
+    const auto file = header + std::string(
+                                   "s\0s\0\xf0\xff\xff\x7f"
+                                   "abc",
+                                   11);
+    EXPECT_NE(complaint(file, ".exr").find("larger than the file"), std::string::npos);
+  }
+}
+
+// OpenEXR reads a list of channels to its end, wherever that is.
+TEST(ReadImage, an_attribute_of_an_exr_is_as_long_as_its_type) {
+  const std::string header("\x76\x2f\x31\x01\x02\0\0\0", 8);
+  const auto list = std::string("c\0chlist\0\x04\0\0\0R\0\0\0", 17);
+  const auto number = std::string("n\0float\0\x03\0\0\0abc", 15);
+  for (const auto& attribute : {list, number})
+    EXPECT_NE(complaint(header + attribute, ".exr").find("wrong length"), std::string::npos);
+}
+
 TEST(ReadImage, many_pixels_in_few_bytes_are_refused_before_decoding) {
   EXPECT_NE(complaint(raw_png(16'000, 16'000, 8, 2, ""), ".png").find("16000 x 16000 pixels in"),
             std::string::npos);
