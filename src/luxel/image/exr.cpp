@@ -61,6 +61,13 @@ class MemoryIn : public Imf::IStream {
   std::size_t position_ = 0;
 };
 
+// OpenEXR makes a buffer for a whole tile, and has no limit of its own.
+void limit_tiles() {
+  constexpr int max_side_of_tile = 4096;  // pixels
+  static const bool is_limited = (Imf::Header::setMaxTileSize(max_side_of_tile, max_side_of_tile), true);
+  static_cast<void>(is_limited);
+}
+
 // bytes: of the file.
 Image read_channels(Imf::InputFile& file, std::size_t bytes) {
   const auto& window = file.header().dataWindow();
@@ -121,6 +128,7 @@ std::string encode_exr(const Image& linear, const Context& context) {
 }
 
 Raster decode_exr(std::string_view bytes) {
+  limit_tiles();
   check_exr_header(bytes);
   try {
     MemoryIn memory(bytes);

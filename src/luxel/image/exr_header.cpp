@@ -111,6 +111,13 @@ bool is_valid(std::string_view type, std::string_view value) {
   return true;
 }
 
+// OpenEXR makes buffers for whole rows before anyone can ask how long they are. bytes: of the file.
+void check_window(std::string_view box, std::size_t bytes) {
+  std::int32_t corner[4];  // lowest x and y, highest x and y
+  std::memcpy(corner, box.data(), sizeof(corner));
+  check_size(std::int64_t{corner[2]} - corner[0] + 1, std::int64_t{corner[3]} - corner[1] + 1, bytes);
+}
+
 }  // namespace
 
 void check_exr_header(std::string_view bytes) {
@@ -135,6 +142,7 @@ void check_exr_header(std::string_view bytes) {
     const auto value = cursor.bytes(*size);
     if (!value) throw CodecError("an attribute of its header is larger than the file");
     if (!is_valid(*type, *value)) throw CodecError("an attribute of its header has a wrong length");
+    if (*name == "dataWindow" && *type == "box2i") check_window(*value, bytes.size());
   }
 }
 

@@ -150,6 +150,10 @@ TEST(ReadImage, a_giant_declared_size_is_refused_before_decoding) {
   EXPECT_NE(complaint("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 100000 +X 100000\n", ".hdr")
                 .find("100000 x 100000 pixels"),
             std::string::npos);
+  const auto exr = std::string("\x76\x2f\x31\x01\x02\0\0\0", 8) +
+                   std::string("dataWindow\0box2i\0\x10\0\0\0", 21) +
+                   std::string("\0\0\0\0\0\0\0\0\xff\xff\xff\x1f\x02\0\0\0", 16);
+  EXPECT_NE(complaint(exr, ".exr").find("536870912 x 3 pixels"), std::string::npos) << complaint(exr, ".exr");
 }
 
 // OpenEXR would allocate the two gigabytes first. The attribute is the first one, of one or of several parts.
