@@ -5,6 +5,7 @@
 #include <numbers>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
 #include "luxel/core/real_path.h"
+#include "luxel/core/smallest_rectangle.h"
 #include "luxel/core/triangle.h"
 #include "luxel/core/trig.h"
 #include "luxel/import/luminaires.h"
@@ -58,10 +60,11 @@ bool names_photometry(const std::string& material) {
   return ending == ".ies" || ending == ".ldt";
 }
 
-// Centre and facing of a connected component of triangles.
+// A connected component of triangles.
 struct Component {
-  Vec3d weighted_centre{0.0}, facing{0.0}, longest_edge{0.0};
+  Vec3d weighted_centre{0.0}, facing{0.0};
   double area = 0.0;
+  std::vector<Vec3d> places = {};
 
   void add(const Scene& scene, std::size_t triangle) {
     const auto& corners = scene.triangles[triangle];
@@ -72,11 +75,19 @@ struct Component {
     weighted_centre += own * (at(0) + at(1) + at(2)) / 3.0;
     facing += normal;
     area += own;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (const auto edge = at((i + 1) % 3) - at(i); glm::length(edge) > glm::length(longest_edge))
-        longest_edge = edge;
+    for (std::size_t i = 0; i < 3; ++i) places.push_back(at(i));
   }
 };
+
+// Degrees, (-90, 90], from local X to the longer sides of the smallest rectangle around a component.
+double turn_of(const Component& component, const Axes& axes) {
+  std::vector<glm::dvec2> points;
+  points.reserve(component.places.size());
+  for (const auto& p : component.places) points.emplace_back(glm::dot(p, axes.x), glm::dot(p, axes.y));
+  auto along = smallest_rectangle(std::move(points)).along;
+  if (along.x < 0.0 || (along.x == 0.0 && along.y < 0.0)) along = -along;
+  return 180.0 / std::numbers::pi * arc_tangent(along.y, along.x);
+}
 
 }  // namespace
 
@@ -152,11 +163,8 @@ void replace_by_luminaires(const std::filesystem::path& scene_file, const Vec3& 
       placement.position = component.weighted_centre / component.area + scene.origin;
       if (glm::length(component.facing) > 0.1 * component.area) {
         placement.direction = component.facing;
-        // The length of the opening lies along the longest edge.
-        const auto axes = axes_of(component.facing, Vec3d(up), 0.0);
-        const auto edge = component.longest_edge;
-        placement.rotation =
-            180.0 / std::numbers::pi * arc_tangent(glm::dot(edge, axes.y), glm::dot(edge, axes.x));
+        // The length of the opening lies along that of the component.
+        placement.rotation = turn_of(component, axes_of(component.facing, Vec3d(up), 0.0));
         const auto& size = placement.photometry->opening.size;
         if (size.y > size.x) placement.rotation -= 90.0;
       }

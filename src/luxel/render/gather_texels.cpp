@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "luxel/core/address.h"
+#include "luxel/core/cross.h"
 #include "luxel/core/error.h"
 #include "luxel/patch/side.h"
 #include "luxel/render/point_gather.h"
 #include "luxel/render/texel_places.h"
 #include "luxel/scene/band_colours.h"
-#include "luxel/surface/cross.h"
 #include "luxel/surface/smooth_irradiance.h"
 
 namespace luxel {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "luxel/core/cross.h"
 #include "luxel/core/none.h"
 #include "luxel/patch/side.h"
-#include "luxel/surface/cross.h"
 #include "luxel/surface/texel_support.h"
 
 namespace luxel {

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/cross.h"
 #include "luxel/core/error.h"
 #include "luxel/patch/side.h"
-#include "luxel/surface/cross.h"
 #include "luxel/surface/flat_cover.h"
 #include "luxel/surface/flat_fragment.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "luxel/surface/cross.h"
+#include "luxel/core/cross.h"
 
 namespace luxel {
 namespace {

@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "luxel/core/bounds.h"
-#include "luxel/core/convex_hull.h"
+#include "luxel/core/smallest_rectangle.h"
 #include "luxel/patch/side.h"
-#include "luxel/surface/cross.h"
 #include "luxel/surface/flat_cover.h"
 
 namespace luxel {
@@ -15,41 +14,6 @@ namespace {
 
 using Point = glm::dvec2;
 using Triangle = FlatCover::Triangle;
-
-// Counter-clockwise.
-std::vector<Point> convex_hull(std::vector<Point> points) {
-  const auto before = [](const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return hull_of_sorted(
-      points, [](const Point& a, const Point& b, const Point& c) { return cross(b - a, c - b) > 0.0; });
-}
-
-Box<Point> box_along(const std::vector<Point>& points, const Point& axis) {
-  Box<Point> box;
-  for (const auto& p : points) box.add({glm::dot(p, axis), cross(axis, p)});
-  return box;
-}
-
-// The direction, unit, along which the bounding box is smallest.
-Point best_axis(const std::vector<Point>& hull) {
-  constexpr std::size_t max_edges = 256;  // a rounder hull has no preferred edge
-  constexpr double better = 1.0 - 1e-6;
-  Point best(1.0, 0.0);
-  const auto first = box_along(hull, best).size();
-  auto least = first.x * first.y;
-  const auto step = hull.size() / max_edges + 1;
-  for (std::size_t i = 0; i < hull.size(); i += step) {
-    const auto edge = hull[(i + 1) % hull.size()] - hull[i];
-    const auto length = glm::length(edge);
-    if (!(length > 0.0)) continue;
-    const auto size = box_along(hull, edge / length).size();
-    if (!(size.x * size.y < better * least)) continue;
-    least = size.x * size.y;
-    best = edge / length;
-  }
-  return best;
-}
 
 Point on_plane(const std::array<Vec3d, 2>& axes, const Vec3& v) {
   return {glm::dot(axes[0], Vec3d(v)), glm::dot(axes[1], Vec3d(v))};
@@ -93,13 +57,7 @@ Chart flat_chart(const PatchSet& patches, std::vector<SideId> sides, const Vec3d
   std::vector<Point> points;
   for (const auto side : sides)
     for (const auto& p : on_plane(patches, axes, side)) points.push_back(p);
-  const auto hull = convex_hull(std::move(points));
-  auto along = best_axis(hull);
-  auto box = box_along(hull, along);
-  if (box.size().y > box.size().x) {
-    along = {-along.y, along.x};
-    box = box_along(hull, along);
-  }
+  const auto [along, box] = smallest_rectangle(std::move(points));
   Chart chart;
   chart.axes = {along.x * axes[0] + along.y * axes[1], along.x * axes[1] - along.y * axes[0]};
   // Any depth is valid: the projection is along it.

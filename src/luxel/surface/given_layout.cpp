@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "luxel/core/barycentric.h"
+#include "luxel/core/cross.h"
 #include "luxel/core/error.h"
 #include "luxel/core/none.h"
 #include "luxel/core/triangle.h"
 #include "luxel/core/trig.h"
 #include "luxel/patch/side.h"
-#include "luxel/surface/cross.h"
 #include "luxel/surface/side_nodes.h"
 
 namespace luxel {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "luxel/core/cross.h"
 #include "luxel/core/vector.h"
-#include "luxel/surface/cross.h"
 
 namespace luxel {
 
