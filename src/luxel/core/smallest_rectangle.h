@@ -14,8 +14,9 @@ struct TurnedRectangle {
   Box<glm::dvec2> box;         // in coordinates along that direction, and anticlockwise across it
 };
 
-// The smallest rectangle around points, at least one; that with the given axes where it is as small. One of
-// its sides lies on a side of the convex hull (Freeman and Shapira 1975). n log n, and times 256 at most.
+// The smallest rectangle around points that are not all at one place; that with the given axes where it is as
+// small. One of its sides lies on a side of the convex hull (Freeman and Shapira 1975). n log n, and at most
+// 256 n.
 TurnedRectangle smallest_rectangle(std::vector<glm::dvec2> points);
 
 }  // namespace luxel
