@@ -2,6 +2,9 @@
 #include "luxel/scene/scene.h"
 
 #include <limits>
+#include <memory>
+#include <span>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -133,6 +136,115 @@ TEST(CheckScene, a_camera_that_looks_along_its_up_is_refused) {
 }
 
 // The value is part of every solution file, so it may never change.
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+// A change of a good scene, and a part of the sentence with which it is refused.
+struct Change {
+  void (*make)(Scene&);
+  const char* sentence;
+};
+
+void expect_refusals(const Scene& good, std::span<const Change> changes) {
+  ASSERT_EQ(refusal(good), "found nothing wrong");
+  for (const auto& [make, sentence] : changes) {
+    auto scene = good;
+    make(scene);
+    EXPECT_NE(refusal(scene).find(sentence), std::string::npos)
+        << refusal(scene) << "; expected " << sentence;
+  }
+}
+
+TEST(CheckScene, lamps_without_a_surface_that_make_no_sense_are_refused) {
+  auto scene = square();
+  PointLight luminaire;
+  luminaire.name = "panel";
+  luminaire.kind = PointLightKind::luminaire;
+  luminaire.photometry = std::make_shared<Photometry>();
+  PointLight spot;
+  spot.kind = PointLightKind::spot;
+  spot.name = "spot";
+  scene.point_lights = {luminaire, spot};
+  const Change changes[] = {
+      {[](Scene& s) { s.point_lights[0].position.y = not_a_number; },
+       "lamp 'panel': expected a finite position"},
+      {[](Scene& s) { s.point_lights[0].direction *= 2.0f; }, "a direction of length 1"},
+      {[](Scene& s) { s.point_lights[0].intensity.g = -1.0f; }, "an intensity of 0 or more"},
+      {[](Scene& s) { s.point_lights[0].photometry = nullptr; }, "the distribution of a photometric file"},
+      {[](Scene& s) { s.point_lights[0].local_x = s.point_lights[0].local_y; },
+       "axes of length 1 at right angles"},
+      {[](Scene& s) { s.point_lights[0].dimming = not_a_number; }, "a dimming of 0 or more"},
+      {[](Scene& s) { s.point_lights[0].maintenance = 0.0f; }, "a maintenance factor above 0, at most 1"},
+      {[](Scene& s) { s.point_lights[1].cos_inner = s.point_lights[1].cos_outer; },
+       "lamp 'spot': expected an inner angle smaller than the outer one"},
+      {[](Scene& s) { s.point_lights[1].angular_radius = 0.6f; }, "an angular radius from 0 to 0.5 rad"}};
+  expect_refusals(scene, changes);
+}
+
+TEST(CheckScene, textures_that_are_not_there_are_refused) {
+  auto scene = square();
+  auto raster = std::make_shared<Raster>();
+  raster->width = raster->height = 1;
+  raster->codes = {{255, 255, 255, 255}};
+  scene.textures.push_back({});
+  scene.textures[0].name = "tiles";
+  scene.textures[0].raster = raster;
+  scene.uv_sets.resize(1);
+  scene.uv_sets[0].resize(2);
+  scene.corner_colours.resize(2, {Vec3(1.0f), Vec3(1.0f), Vec3(1.0f)});
+  scene.materials[0].textures.reflectance = TextureUse{};
+  const Change changes[] = {
+      {[](Scene& s) { s.materials[0].textures.reflectance->texture = 1; },
+       "material 'wall': it names texture 1, but there are only 1"},
+      {[](Scene& s) { s.materials[0].textures.reflectance->uv_set = 1; },
+       "it names set 1 of texture coordinates, but there are only 1"},
+      {[](Scene& s) { s.materials[0].textures.reflectance->placement[2] = not_a_number; },
+       "finite numbers for where its texture lies"},
+      {[](Scene& s) { s.textures[0].raster = nullptr; }, "expected pixels in texture 'tiles'"},
+      {[](Scene& s) { s.uv_sets[0][1][2].x = not_a_number; },
+       "square.obj:7: expected finite texture coordinates for triangle 1"},
+      {[](Scene& s) { s.corner_colours[0][0].r = 1.5f; },
+       "expected colours of corners in [0, 1], found 1.5"}};
+  expect_refusals(scene, changes);
+}
+
+TEST(CheckScene, a_sky_of_patches_has_a_radiance_for_each) {
+  auto scene = square();
+  scene.sky_patches = SkyPatches(1, Vec3d(0, 0, 1), Vec3d(0, 1, 0));
+  scene.sky_radiance.resize(scene.sky_patches.size(), Vec3(1.0f));
+  const Change changes[] = {
+      {[](Scene& s) { s.sky_radiance.pop_back(); }, "expected a radiance for each of the"},
+      {[](Scene& s) { s.sky_radiance.clear(); }, "expected a radiance for each of the"},
+      {[](Scene& s) { s.sky = Vec3(1.0f); }, "either a sky of one radiance or one of a radiance per patch"},
+      {[](Scene& s) { s.sky_radiance[3].b = -1.0f; },
+       "the radiance of each patch of the sky to be 0 or more"}};
+  expect_refusals(scene, changes);
+}
+
+TEST(CheckScene, spectra_ascend_and_are_light_or_reflectance) {
+  auto scene = square();
+  scene.wavelengths = {500.0, 600.0};
+  scene.materials[0].reflectance_spectrum = Spectrum({{500.0, 0.5}, {600.0, 0.5}});
+  const Change changes[] = {
+      {[](Scene& s) { s.wavelengths.pop_back(); }, "expected no wavelengths, or at least two, found one"},
+      {[](Scene& s) {
+         s.wavelengths = {600.0, 500.0};
+       },
+       "expected wavelengths that ascend from"},
+      {[](Scene& s) {
+         s.wavelengths = {10.0, 500.0};
+       },
+       "expected wavelengths that ascend from"},
+      {[](Scene& s) {
+         s.materials[0].reflectance_spectrum = Spectrum({{600.0, 0.5}, {500.0, 0.5}});
+       },
+       "the wavelengths of the reflectance of material 'wall' to ascend, found 500 nm after 600 nm"},
+      {[](Scene& s) {
+         s.materials[0].reflectance_spectrum = Spectrum({{500.0, 1.5}, {600.0, 0.5}});
+       },
+       "the reflectance of material 'wall' at 500 nm to be 0 or more and below 1, found 1.5"}};
+  expect_refusals(scene, changes);
+}
+
 TEST(Fingerprint, of_a_known_scene_is_a_known_number) {
   EXPECT_EQ(fingerprint(square()), 17355894178984871049u);
 }
