@@ -22,7 +22,8 @@ void expect_sound_placement(const LuminairePlacement& placement) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const luxel::ScratchFile list("list.csv"), lamp("lamp.ies");
-  lamp.filled_with("IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 3 1 1 2 0.1 0.1 0\n1 1 10\n0 45 90\n0\n100 70 0\n");
+  [[maybe_unused]] static const auto written = lamp.filled_with(
+      "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 3 1 1 2 0.1 0.1 0\n1 1 10\n0 45 90\n0\n100 70 0\n");
   return luxel::answered(data, size, [](std::string_view bytes) {
     const luxel::Context context;
     luxel::PhotometryStore store(context);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -26,7 +27,7 @@ std::vector<std::pair<std::string, std::string>> options_of(std::string_view tex
 }  // namespace
 }  // namespace luxel
 
-// Options are refused or set; what is set is printed so that it can be set again, to the same.
+// Options are refused or set; values are printed so that another set takes them, to the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto options = luxel::options_of({reinterpret_cast<const char*>(data), size});
   luxel::BakeSettings settings, again;
@@ -41,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const std::out_of_range&) {
     return 0;  // no such option
   }
-  second.give(set.given());
+  second.restore(set.values());
   luxel::expect(second.values() == set.values());
   return 0;
 }

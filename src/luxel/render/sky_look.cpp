@@ -73,10 +73,11 @@ SkyPixels sky_pixels(const Image& radiance, const PatchSet& patches, const Trace
       const auto ray = pinhole.ray_in_cell(static_cast<double>(pixel % width),
                                            static_cast<double>(pixel / width), key, cell, side);
       if (tracer.nearest(ray)) continue;
+      ++seen;
+      if (!sky.colours().is_even_above()) continue;  // displayed as it is
       const Vec3d direction(ray.direction);
       shown += panes.along(ray, std::numeric_limits<float>::infinity()) *
                (sky.at(direction) - sky.colours().at(direction));
-      ++seen;
     }
     if (seen == 0) return;
     const double samples = side * side;

@@ -2,19 +2,18 @@
 #include "luxel/solve/slow_process.h"
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 namespace luxel {
 
 std::optional<SlowProcess> slow_process(std::span<const double> waits, double seconds) {
   if (waits.size() < 2) return {};
-  const auto least = std::min_element(waits.begin(), waits.end());
-  std::vector<double> others(waits.begin(), least);
-  others.insert(others.end(), std::next(least), waits.end());
-  const auto longer = *std::min_element(others.begin(), others.end()) - *least;
+  std::vector<double> sorted(waits.begin(), waits.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto longer = sorted[1] - sorted[0];
   if (!(longer >= std::max(1.0, 0.05 * seconds))) return {};
-  return SlowProcess{static_cast<std::size_t>(std::distance(waits.begin(), least)), longer};
+  const auto slow = std::find(waits.begin(), waits.end(), sorted[0]) - waits.begin();
+  return SlowProcess{static_cast<std::size_t>(slow), longer};
 }
 
 }  // namespace luxel
