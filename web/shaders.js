@@ -186,7 +186,7 @@ void main() {
   vec3 way = eye - position;
   vec4 nearer = projectionMatrix * modelViewMatrix * vec4(position + way * min(0.5, 5e-3 / max(length(way), 1e-6)), 1.0);
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
+  gl_Position.z = (nearer.z / nearer.w - 1e-6) * gl_Position.w;  // some steps of the depth buffer, long ones far away
   radiance = colour;
 }`;
 

@@ -2,13 +2,14 @@
 #include "luxel/export/opening_bodies.h"
 
 #include <map>
-#include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "luxel/core/utf8.h"
+#include "luxel/export/opening_faces.h"
 #include "luxel/patch/luminaire_groups.h"
 #include "luxel/photometry/luminaire_mesh.h"
 #include "luxel/scene/band_colours.h"
@@ -17,15 +18,6 @@ namespace luxel {
 namespace {
 
 constexpr double forward = 6e-3;  // m along the aim: before a ceiling that an opening is recessed in by 5 mm
-
-double area_of(const LuminaireMesh& mesh) {
-  double sum = 0.0;
-  for (const auto& t : mesh.triangles) {
-    const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
-    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
-  }
-  return sum;
-}
 
 class OpeningBodies {
  public:
@@ -41,9 +33,9 @@ class OpeningBodies {
     const auto z = -scale * Vec3d(light.direction);
     Json node = {
         {"name", valid_utf8(light.name)},
-        {"mesh", mesh_of(lamp)},
         {"matrix", {x.x, x.y, x.z, 0.0, y.x, y.y, y.z, 0.0, z.x, z.y, z.z, 0.0, at.x, at.y, at.z, 1.0}},
         {"extras", {{"luxel_lumens", luminaire_lumens(lamp, patches_)}}}};
+    if (const auto mesh = mesh_of(lamp)) node["mesh"] = *mesh;
     if (!patches_.light_groups.empty())
       node["extras"]["luxel_light_group"] = valid_utf8(patches_.light_groups[lamp.light_group]);
     const auto number = file_.append("/nodes", node);
@@ -51,41 +43,44 @@ class OpeningBodies {
   }
 
  private:
-  using Key = std::tuple<const Photometry*, float, float, float>;
+  using Key = std::tuple<const Photometry*, double, double, double>;
 
-  std::size_t mesh_of(const BandPointLight& lamp) {
-    const auto& photometry = *lamp.light.photometry;
-    const auto mesh = opening_mesh(shown_opening(photometry.opening));
-    const auto& intensity = photometry.intensity;
-    const auto angle = intensity.maximum() > 0.0 ? intensity.linear_flux() / intensity.maximum() : 0.0;  // sr
-    const auto radiance =
-        patches_.colours().rgb(lamp.intensity) * (angle / (std::numbers::pi * area_of(mesh)));
-    const auto colour = curve_(in_gamut(radiance));
-    const auto [found, is_new] = meshes_.try_emplace(Key(&photometry, colour.r, colour.g, colour.b), 0);
-    if (!is_new) return found->second;
-    const auto name = fmt::format("opening of {}", photometry.file);
-    const auto material = file_.append(
-        "/materials",
-        {{"name", valid_utf8(name)},
-         {"doubleSided", true},
-         {"emissiveFactor", {colour.r, colour.g, colour.b}},
-         {"pbrMetallicRoughness",
-          {{"baseColorFactor", {0.0, 0.0, 0.0, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}});
-    Json attributes = {{"POSITION", file_.add_positions(mesh.positions)}};
-    attributes["NORMAL"] = file_.add_vectors(std::span<const Vec3>(mesh.normals));
-    Json primitive = {{"attributes", std::move(attributes)},
-                      {"indices", file_.add_indices(mesh.triangles, mesh.positions.size())},
-                      {"material", material}};
-    return found->second = file_.append("/meshes", {{"name", valid_utf8(name)},
-                                                    {"primitives", Json::array({std::move(primitive)})},
-                                                    {"extras", {{"luxel_opening", true}}}});
+  // Nothing where nothing is emitted.
+  std::optional<std::size_t> mesh_of(const BandPointLight& lamp) {
+    const auto intensity = patches_.colours().rgb(lamp.intensity);
+    const Key key(lamp.light.photometry.get(), intensity.r, intensity.g, intensity.b);
+    const auto [found, is_new] = meshes_.try_emplace(key);
+    if (is_new) found->second = add_mesh(*lamp.light.photometry, intensity);
+    return found->second;
+  }
+
+  std::optional<std::size_t> add_mesh(const Photometry& photometry, const Vec3d& intensity) {
+    const auto name = valid_utf8(fmt::format("opening of {}", photometry.file));
+    auto primitives = Json::array();
+    for (const auto& face : opening_faces(photometry, 2.0 * forward)) {
+      const auto colour = curve_(in_gamut(intensity * face.radiance));
+      const auto material = file_.append(
+          "/materials",
+          {{"name", name},
+           {"emissiveFactor", {colour.r, colour.g, colour.b}},
+           {"pbrMetallicRoughness",
+            {{"baseColorFactor", {0.0, 0.0, 0.0, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}});
+      Json attributes = {{"POSITION", file_.add_positions(face.mesh.positions)}};
+      attributes["NORMAL"] = file_.add_vectors(std::span<const Vec3>(face.mesh.normals));
+      primitives.push_back({{"attributes", std::move(attributes)},
+                            {"indices", file_.add_indices(face.mesh.triangles, face.mesh.positions.size())},
+                            {"material", material}});
+    }
+    return file_.append(
+        "/meshes",
+        {{"name", name}, {"primitives", std::move(primitives)}, {"extras", {{"luxel_opening", true}}}});
   }
 
   GltfWriter& file_;
   const PatchSet& patches_;
   const ToneCurve& curve_;
   const NodeParent& parent_;
-  std::map<Key, std::size_t> meshes_;
+  std::map<Key, std::optional<std::size_t>> meshes_;
 };
 
 void take_off_earlier(GltfWriter& file) {

@@ -17,10 +17,10 @@ struct NodeParent {
 };
 
 // Adds the luminous opening of each luminaire as a node with a mesh that emits, so that programs show where
-// the light comes from; one mesh per photometric file and colour. The colour is that of a diffuse surface of
-// the opening's area and luminous flux, after the tone curve. The extras of a mesh have `luxel_opening`:
-// Luxel ignores such meshes when it reads a file, since the light is that of the luminaire. Bodies of an
-// earlier export are removed. Without luminaires the file is not changed.
+// the light comes from; one mesh per photometric file and intensity. Its faces have the colours of
+// opening_faces() after the tone curve. The extras of a mesh have `luxel_opening`: Luxel ignores such meshes
+// when it reads a file, since the light is that of the luminaire. Bodies of an earlier export are removed.
+// Without luminaires the file is not changed.
 void add_opening_bodies(GltfWriter& file, const PatchSet& patches, const ToneCurve& curve,
                         const NodeParent& parent);
 

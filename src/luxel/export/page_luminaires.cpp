@@ -12,6 +12,7 @@
 #include "luxel/core/utf8.h"
 #include "luxel/patch/luminaire_groups.h"
 #include "luxel/photometry/luminaire_mesh.h"
+#include "luxel/photometry/opening.h"
 #include "luxel/scene/band_colours.h"
 
 namespace luxel {
@@ -20,11 +21,6 @@ namespace {
 constexpr float steps_per_metre = 1e4f;  // of an opening's corners
 
 Json three(const Vec3d& v) { return {v.x, v.y, v.z}; }
-
-bool is_flat(const LuminousOpening& opening) {
-  return opening.shape == OpeningShape::rectangle || opening.shape == OpeningShape::ellipse ||
-         opening.shape == OpeningShape::vertical_disk;
-}
 
 void add_opening(PageArrays& arrays, const LuminousOpening& opening, std::size_t kind) {
   const auto mesh = opening_mesh(opening);

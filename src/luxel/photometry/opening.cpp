@@ -120,6 +120,11 @@ Vec3d with_axis_up(Vec3d v, int axis) {
 
 }  // namespace
 
+bool is_flat(const LuminousOpening& opening) {
+  return opening.shape == OpeningShape::rectangle || opening.shape == OpeningShape::ellipse ||
+         opening.shape == OpeningShape::vertical_disk;
+}
+
 double projected_area(const LuminousOpening& opening, const Vec3d& direction) {
   const auto& s = opening.size;
   const auto d = glm::normalize(direction);

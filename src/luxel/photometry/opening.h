@@ -8,6 +8,9 @@
 
 namespace luxel {
 
+// Returns whether the opening is a sheet, which has two sides.
+bool is_flat(const LuminousOpening& opening);
+
 // Area of the opening as seen from far away in a direction, m²; 0 for a point. direction: local axes, of any
 // length above 0. Flat openings are seen from both sides.
 double projected_area(const LuminousOpening& opening, const Vec3d& direction);

@@ -2,11 +2,14 @@
 // Openings of luminaires in exported GLB files.
 #include <algorithm>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "luxel/export/export_mesh.h"
 #include "luxel/export/export_round_trip.h"
+#include "luxel/export/opening_faces.h"
 #include "luxel/import/load_scene.h"
 
 #include "support/glb_file.h"
@@ -106,6 +109,88 @@ TEST(OpeningBodies, are_no_surfaces_and_no_lamps_when_the_file_is_read) {
     EXPECT_EQ(scene.materials.size(), 1u);
     EXPECT_TRUE(scene.point_lights.empty());
     for (const auto& material : scene.materials) EXPECT_EQ(material.emittance, Vec3(0.0f));
+  }
+}
+
+// Radiance and normal of each face.
+std::vector<std::pair<double, Vec3>> faces_of(const LuminousOpening& opening,
+                                              const IntensityDistribution& intensity) {
+  Photometry photometry;
+  photometry.intensity = intensity;
+  photometry.opening = opening;
+  std::vector<std::pair<double, Vec3>> faces;
+  for (const auto& face : opening_faces(photometry, 0.01))
+    faces.emplace_back(face.radiance, face.mesh.normals.at(0));
+  return faces;
+}
+
+// Three quarters of the light go up.
+IntensityDistribution mostly_up() {
+  return {GoniometerType::c, {0.0, 90.0, 90.001, 180.0}, {0.0}, {10.0, 10.0, 30.0, 30.0}};
+}
+
+TEST(OpeningFaces, of_a_sheet_emit_what_leaves_to_their_side) {
+  const auto faces = faces_of({OpeningShape::rectangle, {0.5, 0.4, 0.0}}, mostly_up());
+  ASSERT_EQ(faces.size(), 2u);
+  EXPECT_EQ(faces[0].second, Vec3(0, 0, -1));
+  EXPECT_EQ(faces[1].second, Vec3(0, 0, 1));
+  // Half of the sphere at a third of the largest intensity, and at the largest, over pi times the area.
+  EXPECT_NEAR(faces[0].first, 2.0 / 3.0 / 0.2, 2e-3);
+  EXPECT_NEAR(faces[1].first, 2.0 / 0.2, 2e-3);
+}
+
+TEST(OpeningFaces, that_emit_nothing_are_left_out) {
+  const IntensityDistribution up(GoniometerType::c, {90.0, 180.0}, {0.0}, {0.0, 50.0});
+  const auto faces = faces_of({OpeningShape::ellipse, {0.5, 0.5, 0.0}}, up);
+  ASSERT_EQ(faces.size(), 1u);
+  EXPECT_EQ(faces[0].second, Vec3(0, 0, 1));
+  EXPECT_TRUE(faces_of({OpeningShape::rectangle, {1.0, 1.0, 0.0}},
+                       IntensityDistribution(GoniometerType::c, {0.0, 90.0}, {0.0}, {0.0, 0.0}))
+                  .empty());
+}
+
+// A sphere has the same projected area from everywhere, so an even light gives each of its parts the radiance
+// 1 / area; the sum of radiance times area is the flux.
+TEST(OpeningFaces, of_bodies_sum_to_the_whole_flux) {
+  const IntensityDistribution even(GoniometerType::c, {0.0, 180.0}, {0.0}, {20.0, 20.0});
+  const LuminousOpening ball{OpeningShape::ellipsoid, Vec3d(0.3)};
+  const auto parts = faces_of(ball, even);
+  ASSERT_EQ(parts.size(), 3u);
+  for (const auto& [radiance, normal] : parts)
+    EXPECT_NEAR(radiance, 1.0 / (std::numbers::pi / 4.0 * 0.09), 0.02 * radiance);
+
+  for (const auto& opening : {LuminousOpening{OpeningShape::box, {0.6, 0.3, 0.1}},
+                              LuminousOpening{OpeningShape::vertical_cylinder, {0.2, 0.2, 0.4}}}) {
+    Photometry photometry;
+    photometry.intensity = mostly_up();
+    photometry.opening = opening;
+    double flux = 0.0;
+    std::vector<double> radiances;
+    for (const auto& [mesh, radiance] : opening_faces(photometry, 0.01)) {
+      double area = 0.0;
+      for (const auto& [a, b, c] : mesh.triangles)
+        area += 0.5 * glm::length(glm::cross(mesh.positions[b] - mesh.positions[a],
+                                             mesh.positions[c] - mesh.positions[a]));
+      flux += std::numbers::pi * area * radiance;
+      radiances.push_back(radiance);
+    }
+    EXPECT_NEAR(flux, photometry.intensity.linear_flux() / photometry.intensity.maximum(), 1e-4);
+    ASSERT_EQ(radiances.size(), 3u);  // bottom, sides, top
+    EXPECT_LT(radiances[0], radiances[1]);
+    EXPECT_LT(radiances[1], radiances[2]);
+  }
+}
+
+TEST(OpeningFaces, of_a_sheet_are_so_far_apart_that_rays_meet_the_nearer_one) {
+  Photometry photometry;
+  photometry.intensity = mostly_up();
+  photometry.opening = {OpeningShape::vertical_disk, {0.0, 0.4, 0.4}};
+  const auto faces = opening_faces(photometry, 0.01);
+  ASSERT_EQ(faces.size(), 2u);
+  for (std::size_t v = 0; v < faces[0].mesh.positions.size(); ++v) {
+    const auto from_back = faces[0].mesh.positions[v] - faces[1].mesh.positions[v];
+    EXPECT_NEAR(glm::dot(from_back, faces[0].mesh.normals[v]), 0.01f, 1e-6f);
+    EXPECT_EQ(faces[0].mesh.normals[v], -faces[1].mesh.normals[v]);
   }
 }
 

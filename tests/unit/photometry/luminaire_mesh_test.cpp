@@ -37,10 +37,6 @@ std::vector<LuminousOpening> shapes() {
           {ellipsoid, {1.2, 0.5, 0.3}}};
 }
 
-bool is_flat(const LuminousOpening& opening) {
-  return opening.size.x == 0.0 || opening.size.y == 0.0 || opening.size.z == 0.0;
-}
-
 // 32 parts of a circle have 0.64 % less area than the circle; a sphere of 32 x 16 parts about 1.3 % less.
 TEST(OpeningMesh, has_the_projected_area_of_its_opening) {
   for (const auto& opening : shapes())
