@@ -117,6 +117,11 @@ TEST_F(Probe, makes_lines_and_grids) {
   const auto down =
       run("$LUXEL probe box.vtkhdf --plane 0.3 --spacing 0.3 --normal 0,-2,0 --error 10% --json");
   EXPECT_EQ(Json::parse(down.out)["points"][0]["normal"], Json({0.0, -1.0, 0.0}));
+  const auto facing =
+      run("$LUXEL probe box.vtkhdf --line 0,0.1,-0.1:0,0.1,-0.3:3 --facing 0,0.1,0.5 --error 10% --json");
+  ASSERT_EQ(facing.code, 0) << facing.err;
+  for (const auto& point : Json::parse(facing.out)["points"])
+    EXPECT_EQ(point["normal"], Json({0.0, 0.0, 1.0}));
 }
 
 TEST_F(Probe, gives_the_same_bytes_on_any_number_of_threads) {
@@ -179,6 +184,9 @@ TEST_F(Probe, refuses_wrong_options) {
   refuses("probe box.vtkhdf --line 0,0,0:1,0,0:2 --border 0.1", 2,
           "--spacing and --border belong to --plane");
   refuses("probe box.vtkhdf --plane 0.3 --normal 0,0,0", 2, "--normal: expected a direction");
+  refuses("probe box.vtkhdf --plane 0.3 --normal 0,0,1 --facing 0,0,0", 2, "one of --normal and --facing");
+  refuses("probe box.vtkhdf --line 0,0.1,-0.1:0,0.1,-0.3:3 --facing 0,0.1,-0.1", 1,
+          "--facing: expected a place that is none of the points");
   refuses("probe box.vtkhdf --plane 0.3 --error 0", 2, "--error: expected a fraction above 0");
   refuses("probe box.vtkhdf --plane 0.3 --rays 10", 2, "--rays: expected a count from 1024");
   refuses("probe box.vtkhdf --plane 0.3 --sh 5", 2, "--sh: expected one of none|4|9");

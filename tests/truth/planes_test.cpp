@@ -97,6 +97,31 @@ TEST(Planes, have_the_area_source_of_CIE_171) {
   EXPECT_NEAR(wall.light[4].illuminance, 53.404, 0.02) << "E";
 }
 
+// Points that face a lamp of even intensity: I / d², without a cosine.
+TEST(Planes, facing_a_point_lamp_follow_the_inverse_square) {
+  SceneBuilder b;
+  b.material("far", 0.0f, 0.0f).quad({0, 0, -1e4f}, {1, 0, -1e4f}, {1, 1, -1e4f}, {0, 1, -1e4f});
+  auto scene = b.scene();
+  PointLight lamp;
+  lamp.position = {1.0f, 2.0f, 3.0f};
+  lamp.intensity = Vec3(100.0f);
+  scene.point_lights.push_back(lamp);
+  const ProbeRig rig(scene, no_max_edge, 0.0f);
+  const auto r = measured(rig,
+                          "[[area]]\nname = \"field\"\npolygon = [[0, 0], [4, 0], [4, 2], [0, 2]]\n"
+                          "height = 1\nspacing = 1\nfacing = [1, 2, 3]\n");
+  ASSERT_EQ(r.light.size(), 8u);
+  for (std::size_t i = 0; i < r.light.size(); ++i) {
+    const auto way = Vec3d(1, 2, 3) - r.grid.position[i];
+    EXPECT_NEAR(glm::length(r.grid.direction(i) - glm::normalize(way)), 0.0, 1e-12);
+    EXPECT_NEAR(r.light[i].illuminance, lux(100.0 / glm::dot(way, way)), 1e-4 * lux(100.0));
+  }
+  EXPECT_THROW(measured(rig,
+                        "[[area]]\nname = \"field\"\npolygon = [[0, 0], [4, 0], [4, 2], [0, 2]]\n"
+                        "height = 1\nspacing = 1\nfacing = [0.5, 0.5, 1]\n"),
+               InputError);
+}
+
 // A sun at 30 degrees from the vertical and 60 degrees of azimuth from x: exact.
 TEST(Planes, cylindrical_illuminance_of_a_sun_is_exact) {
   SceneBuilder b;

@@ -70,6 +70,7 @@ Json as_json(const PlaneResult& r) {
                {"min_over_mean", figure_json(r.min_over_mean)},
                {"min_over_max", figure_json(r.min_over_max)},
                {"max_over_min", figure_json(r.max_over_min)}};
+  if (r.grid.facing) json["grid"]["facing_m"] = triple(*r.grid.facing);
   if (r.cylindrical) {
     json["cylindrical_lx"] = figure_json(*r.cylindrical);
     json["modelling"] = figure_json(*r.modelling);
@@ -115,7 +116,7 @@ std::string csv_of(const AreaReport& report) {
     for (std::size_t i = 0; i < r.light.size(); ++i) {
       const auto& l = r.light[i];
       const auto& at = r.grid.position[i];
-      const auto& n = r.grid.normal;
+      const auto n = r.grid.direction(i);
       text += fmt::format("{},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g},{:.6g},{:.3g},{:.3g},",
                           csv_field(r.area.name), at.x, at.y, at.z, n.x, n.y, n.z, l.illuminance,
                           l.standard_error(), l.sampling_error);

@@ -105,6 +105,9 @@ void ProbeSettings::declare_points(OptionSet& set) {
       "normal", "x,y,z", normal,
       "direction that the points face, where no file gives one; auto: up, and for --grid the right-hand "
       "rule from its columns to its rows");
+  set.add_point("facing", "x,y,z", facing,
+                "place that all points face instead, such as an observer's or a camera's: illuminance in the "
+                "line of sight");
 }
 
 void ProbeSettings::declare(OptionSet& set) {
@@ -158,8 +161,10 @@ void ProbeSettings::check() const {
     throw UsageError(
         "--requirement, --require-mean and --require-uniformity belong to --plane and --grid; areas have "
         "requirements in their file");
-  if (areas.is_given() && (normal || harmonics != "none"))
-    throw UsageError("--normal and --sh do not belong to --areas, whose file has directions of its own");
+  if (areas.is_given() && (normal || facing || harmonics != "none"))
+    throw UsageError(
+        "--normal, --facing and --sh do not belong to --areas, whose file has directions of its own");
+  if (normal && facing) throw UsageError("expected one of --normal and --facing, found both");
   if (!plane && (spacing != ProbeSettings().spacing || border != ProbeSettings().border))
     throw UsageError("--spacing and --border belong to --plane");
   if (normal && !(glm::length(*normal) > 0.0)) throw UsageError("--normal: expected a direction, not 0,0,0");
@@ -173,10 +178,16 @@ std::optional<PointGrid> ProbeSettings::cells(const PatchSet& patches, const Vec
 PointList ProbeSettings::points(const PatchSet& patches, const Vec3d& up) const {
   std::optional<Vec3d> given;
   if (normal) given = glm::normalize(*normal);
-  if (!file.empty()) return read_points(file, given.value_or(up));
-  if (line) return points_of(*line, given.value_or(up));
-  if (grid) return points_of(*grid, given);
-  return points_of(*cells(patches, up), given.value_or(up));
+  auto points = !file.empty() ? read_points(file, given.value_or(up))
+                : line        ? points_of(*line, given.value_or(up))
+                : grid        ? points_of(*grid, given)
+                              : points_of(*cells(patches, up), given.value_or(up));
+  for (std::size_t i = 0; facing && i < points.position.size(); ++i) {
+    if (points.position[i] == *facing)
+      throw InputError("--facing: expected a place that is none of the points, which face it");
+    points.normal[i] = glm::normalize(*facing - points.position[i]);
+  }
+  return points;
 }
 
 }  // namespace luxel

@@ -22,6 +22,7 @@ struct ProbeSettings {
   double spacing = 0.5;         // m, of that grid
   double border = 0.0;          // m, that it leaves free
   std::optional<Vec3d> normal;
+  std::optional<Vec3d> facing;  // m: place that all points face
   std::string harmonics = "none";
   AreaSettings areas;
   RequirementSettings required;  // of a grid or a plane

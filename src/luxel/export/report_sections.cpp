@@ -81,6 +81,9 @@ std::string grid_text(const LightingReport& report, const PlaneResult& plane) {
   text += fmt::format("; {} points count", grid.points());
   if (plane.behind > 0) text += fmt::format("; {} inside or behind something do not", plane.behind);
   text += "; " + plane.maintenance().text() + (plane.maintenance().is_initial() ? " light" : "");
+  if (grid.facing)
+    text +=
+        fmt::format("; points face {:.4g}, {:.4g}, {:.4g}", grid.facing->x, grid.facing->y, grid.facing->z);
   if (plane.area.is_direct) text += "; direct light only";
   if (!plane.area.requirement.source.empty() && !plane.verdicts.empty())
     text +=

@@ -31,11 +31,11 @@ constexpr std::array<std::pair<AreaKind, const char*>, 8> kinds = {{{AreaKind::t
 
 const std::vector<std::string>& area_keys() {
   static const auto keys = [] {
-    std::vector<std::string> all = {"name",        "kind",           "corner",  "first",    "second",
-                                    "polygon",     "height",         "surface", "offset",   "line",
-                                    "normal",      "tilt",           "towards", "border",   "spacing",
-                                    "Ez_height",   "cylindrical",    "direct",  "surround", "requirement",
-                                    "maintenance", "semicylindrical"};
+    std::vector<std::string> all = {"name",        "kind",        "corner",         "first",   "second",
+                                    "polygon",     "height",      "surface",        "offset",  "line",
+                                    "normal",      "facing",      "tilt",           "towards", "border",
+                                    "spacing",     "Ez_height",   "cylindrical",    "direct",  "surround",
+                                    "requirement", "maintenance", "semicylindrical"};
     all.insert(all.end(), requirement_keys().begin(), requirement_keys().end());
     return all;
   }();
@@ -173,7 +173,10 @@ class AreaReader {
       if (!(glm::length(*normal) > 0.0)) keys_.refuse("normal", "expected a direction, not [0, 0, 0]");
       area_.normal = glm::normalize(*normal);
     }
+    area_.facing = keys_.point("facing");
     const auto tilt = keys_.number("tilt", 0.0, 180.0);
+    if (area_.facing && (area_.normal || tilt))
+      keys_.refuse("facing", "expected a place that all points face, or their direction, not both");
     if (!tilt) return;
     const auto towards = keys_.point("towards");
     if (area_.normal || !towards)

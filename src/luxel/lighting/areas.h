@@ -33,6 +33,7 @@ struct CalculationArea {
   double offset = 0.0;              // of a surface's points, along its normal
   std::vector<Vec3d> line;          // two ends
   std::optional<Vec3d> normal;      // unit: direction that the points face; else that of the plane, upwards
+  std::optional<Vec3d> facing;      // place that all points face instead, such as an observer's
   double border = 0.0;              // strip along the edges without points
   std::optional<double> spacing;    // of the points; else the grid of EN 12464-1
   std::optional<double> Ez_height;  // on the up axis: where cylindrical illuminance is measured

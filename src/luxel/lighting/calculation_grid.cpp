@@ -112,6 +112,7 @@ class GridMaker {
  public:
   GridMaker(const CalculationArea& area, const AreaScene& scene) : area_(area), scene_(scene) {
     for (const auto& v : scene.patches.vertices) extents_.add(v);
+    grid_.facing = area.facing;
   }
 
   CalculationGrid make() {
@@ -286,6 +287,7 @@ class GridMaker {
       const auto m = grid_.middle(c);
       const auto at = grid_.corner + m.x * grid_.along + m.y * grid_.across;
       if (!is_inside(m) || (!area_.around.empty() && !is_near_task(at))) continue;
+      if (grid_.facing == at) refuse("one of its points is the place that they face");
       grid_.cell.push_back(c);
       grid_.position.push_back(at);
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "luxel/core/none.h"
@@ -31,8 +32,9 @@ struct AreaScene {
 struct CalculationGrid {
   Vec3d corner{0.0};                                  // m, in the coordinates of the scene's file
   Vec3d along{1.0, 0.0, 0.0}, across{0.0, 1.0, 0.0};  // unit
-  Vec3d normal{0.0, 0.0, 1.0};                        // unit: direction that the points face
-  double width = 0.0, height = 0.0;                   // m; height 0: a line
+  Vec3d normal{0.0, 0.0, 1.0};       // unit: direction that the points face, but for `facing`
+  std::optional<Vec3d> facing;       // m: place that they all face
+  double width = 0.0, height = 0.0;  // m; height 0: a line
   std::size_t columns = 1, rows = 1;
   double spacing = 0.0;                     // m, that was requested or is the rule's
   bool is_by_rule = false;                  // the grid of EN 12464-1
@@ -44,13 +46,17 @@ struct CalculationGrid {
     return {width * (static_cast<double>(cell_index % columns) + 0.5) / static_cast<double>(columns),
             height * (static_cast<double>(cell_index / columns) + 0.5) / static_cast<double>(rows)};
   }
+  // Unit: direction that a point faces.
+  Vec3d direction(std::size_t point) const {
+    return facing ? glm::normalize(*facing - position[point]) : normal;
+  }
   // [cell]: index of its point, or none.
   std::vector<std::uint32_t> point_of_cells() const;
 };
 
 // Makes the grid of an area. Bands around task areas have no points outside of the scene's extents, nor where
 // a surface stands between them and the task area. Throws InputError where a surface does not exist or is not
-// flat, and where no point is left.
+// flat, where no point is left, and where a point is the place that it would face.
 CalculationGrid make_grid(const CalculationArea& area, const AreaScene& scene);
 
 // Intersection of the scene's surfaces with the plane `lift` m above that of the grid: connected lines, m in

@@ -16,9 +16,10 @@
 namespace luxel {
 namespace {
 
-std::vector<ProbePoint> points_of(const CalculationGrid& grid, const Vec3d& origin, const Vec3d& normal) {
+std::vector<ProbePoint> points_of(const CalculationGrid& grid, const Vec3d& origin) {
   std::vector<ProbePoint> points;
-  for (const auto& at : grid.position) points.push_back({Vec3(at - origin), Vec3(normal)});
+  for (std::size_t i = 0; i < grid.points(); ++i)
+    points.push_back({Vec3(grid.position[i] - origin), Vec3(grid.direction(i))});
   return points;
 }
 
@@ -152,16 +153,17 @@ std::optional<PlaneResult> measure_plane(const SolutionProbe& probe, const Calcu
   auto here = options;
   here.direct = area.is_direct || options.direct;
   const auto& origin = scene.patches.origin;
-  result.light = probe_light(probe, points_of(result.grid, origin, result.grid.normal), here, context);
+  result.light = probe_light(probe, points_of(result.grid, origin), here, context);
   if (result.light.empty()) return std::nullopt;
   drop_points_behind(result);
   if (area.has_cylinders) {
     auto raised = result.grid;
+    raised.normal = scene.up;
+    raised.facing.reset();
     for (auto& at : raised.position) at += (*area.Ez_height - glm::dot(at, scene.up)) * scene.up;
     CylinderOptions cylinder{.axis = Vec3(scene.up), .facing = {}};
     if (area.semicylindrical) cylinder.facing = Vec3(*area.semicylindrical);
-    result.cylinders =
-        probe_cylinders(probe, points_of(raised, origin, scene.up), cylinder, options, context);
+    result.cylinders = probe_cylinders(probe, points_of(raised, origin), cylinder, options, context);
     if (result.cylinders.empty()) return std::nullopt;
   }
   for (auto& light : result.light) {

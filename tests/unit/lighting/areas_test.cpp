@@ -134,6 +134,7 @@ TEST(Areas, names_file_and_line_of_errors) {
   refuses(desk + "surround = true\n", "a.toml:6: surround: expected it at an area of kind");
   refuses(desk + "tilt = 30\n", "a.toml:6: tilt: expected it with towards");
   refuses(desk + "normal = [0, 0, 0]\n", "a.toml:6: normal: expected a direction");
+  refuses(desk + "facing = [0, 0, 3]\nnormal = [0, 0, 1]\n", "a.toml:6: facing: expected a place");
   refuses(desk + "modelling = [0.6, 0.3]\n", "a.toml:6: modelling: expected the smallest");
   refuses(desk + desk, "a.toml:7: name: there is an area of this name already");
   refuses("[[area]]\nname = \"a\"\nsurface = \"x\"\nEz = 150\n", "expected Ez_height");
