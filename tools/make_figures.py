@@ -34,6 +34,7 @@ SECTIONS = {
     "sharing": (sharing.page, sharing.NAMES),
     "gallery": (gallery.gallery, gallery.NAMES),
     "artist": (tutorials.artist, tutorials.NAMES),
+    "python": (tutorials.python_desk, ["python-desk.png"]),
     "error": (measured.error_against_time, ["error-of-methods.svg"]),
     "furnace": (measured.furnace, ["furnace.svg"]),
     "bench": (measured.bench, ["time-against-polygons.svg", "time-against-lamps.svg"]),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The Python blocks of docs/python.md run, one after the other, as a reader would run them."""
+"""The Python blocks of the documents run, one after the other, as a reader would run them."""
 import importlib.util
 import os
 import re
@@ -12,8 +12,8 @@ from conftest import SOURCES
 BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
-def blocks():
-    text = (SOURCES / "docs" / "python.md").read_text(encoding="utf-8")
+def blocks(page):
+    text = (SOURCES / "docs" / page).read_text(encoding="utf-8")
     return [(text.count("\n", 0, found.start(1)) + 1, found[1]) for found in BLOCK.finditer(text)]
 
 
@@ -32,13 +32,25 @@ def folder(tmp_path):
     os.chdir(before)
 
 
-def test_every_block_runs(folder, capsys):
+def run_blocks(page):
     names = {}
-    for line, code in blocks():
+    for line, code in blocks(page):
         if "tqdm" in code and importlib.util.find_spec("tqdm") is None:
             continue
-        exec(compile("\n" * (line - 1) + code, "docs/python.md", "exec"), names)
+        exec(compile("\n" * (line - 1) + code, f"docs/{page}", "exec"), names)
+
+
+def test_every_block_runs(folder, capsys):
+    run_blocks("python.md")
     printed = capsys.readouterr().out
     assert "missing.obj: no such file" in printed
     assert {"box.vtkhdf", "box.glb", "box.png", "kept.glb", "factors.h5"} <= set(os.listdir(folder))
-    assert len(blocks()) >= 15
+    assert len(blocks("python.md")) >= 15
+
+
+def test_the_tutorial_prints_what_it_shows(folder, capsys):
+    run_blocks("tutorial-python.md")
+    text = (SOURCES / "docs" / "tutorial-python.md").read_text(encoding="utf-8")
+    shown = "".join(found[1] for found in re.finditer(r"^```text\n(.*?)^```$", text, re.MULTILINE | re.DOTALL))
+    assert capsys.readouterr().out == shown
+    assert (folder / "desk.png").exists()

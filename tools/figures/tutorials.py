@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pictures of the tutorials: what the commands of a page write, in their order."""
+"""The pictures of the tutorials: what the commands and the programs of a page write, in their order."""
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -13,6 +14,24 @@ from figures.scenes import ROOT
 ARTIST = {"artist-first.png": "study.png", "artist-bright.png": "bright.png", "artist-desk.png": "desk.png",
           "artist-lightmap.png": "lightmap.png", "artist-page.png": "light.png", "artist-evening.png": "evening.png"}
 NAMES = list(ARTIST)
+
+PYTHON_BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def python_desk(luxel, folder):
+    """The picture that the Python program of docs/tutorial-python.md writes."""
+    with open(os.path.join(ROOT, "docs", "tutorial-python.md"), encoding="utf-8") as file:
+        program = "\n".join(PYTHON_BLOCK.findall(file.read()))
+    if luxel.small:
+        program = program.replace("width=640, height=480", "width=40, height=30")
+    environment = dict(os.environ, PYTHONPATH=os.path.join(os.path.dirname(luxel.programs), "python"))
+    with tempfile.TemporaryDirectory() as place:
+        done = subprocess.run(["/usr/bin/python3", "-c", program], cwd=place, env=environment, capture_output=True, text=True,
+                              check=False)
+        if done.returncode != 0:
+            sys.exit(f"docs/tutorial-python.md: its program failed\n{done.stderr}")
+        shutil.copyfile(os.path.join(place, "desk.png"), os.path.join(folder, "python-desk.png"))
+    return {"printed": done.stdout.splitlines()}
 
 
 def artist(luxel, folder):
