@@ -16,6 +16,10 @@ set(luxel_zsh_file \"\${CMAKE_INSTALL_PREFIX}/${LUXEL_ZSH_DIR}/_luxel\")
 set(luxel_fish_file \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d/luxel.fish\")"
           COMPONENT program)
   install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_written.cmake COMPONENT program)
+  # What other programs load.
+  install(FILES integrations/paraview/luxel_light.py integrations/paraview/luxel_light.pvsm
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/luxel/paraview COMPONENT program)
+  install(FILES integrations/blender/luxel_bake.py DESTINATION ${CMAKE_INSTALL_DATADIR}/luxel/blender COMPONENT program)
 endif()
 if(LUXEL_PROGRAM AND LUXEL_VIEWER)
   set(desktop_folder ${PROJECT_SOURCE_DIR}/tools/package/desktop)

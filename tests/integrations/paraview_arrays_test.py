@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """paraview_arrays_test.py LUXEL: the arrays that ParaView's macro names are in a file that Luxel writes, of the shapes that
 it takes them to have, and its formula has their illuminance. Without ParaView: its modules are empty ones here."""
+import html
 import os
 import re
 import subprocess
@@ -83,6 +84,12 @@ class Macro(unittest.TestCase):
         name, unit, factors = luxel_light.quantity_of(1)
         self.assertEqual((name, unit), ("Irradiance", "W/m²"))
         self.assertEqual(luxel_light.expression_of("irradiance_front", factors), '1*"irradiance_front"')
+
+    def test_the_state_file_has_the_formulas_of_the_macro(self):
+        with open(os.path.join(ROOT, "integrations", "paraview", "luxel_light.pvsm"), encoding="utf-8") as file:
+            functions = {html.unescape(text) for text in re.findall(r'"(\d[^"]*irradiance[^"]*)"', file.read())}
+        _, _, factors = luxel_light.quantity_of(3)
+        self.assertEqual(functions, {luxel_light.expression_of(array, factors) for array in luxel_light.SIDES.values()})
 
     def test_scale_has_round_ends(self):
         self.assertEqual([luxel_light.round_up(value) for value in (0.0, 1.0, 2.1, 460.0, 710.0)], [1.0, 1.0, 3.0, 500.0, 1000.0])

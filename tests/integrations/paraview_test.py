@@ -71,6 +71,7 @@ def main(luxel):
         print(found, wanted)
         assert min(wanted) > 10.0 and abs(wanted[0] / wanted[1] - 1.0) > 0.5, f"both sides are lit, differently: {wanted}"
         np.testing.assert_allclose(found["lumens"], wanted, rtol=1e-4)
+        np.testing.assert_allclose(found["lumens_of_state"], wanted, rtol=1e-4)
         assert found["title"] == "Illuminance, lx" and found["low"] == 0.0, found
         brightest = max(values.max() for values in lux.values())
         assert 0.5 * brightest < found["high"] < 2.0 * brightest, found

@@ -22,6 +22,9 @@ luxel bake cornell-box.obj -o box.vtkhdf -o box.png -o box.glb -o box.html --err
 [[ -s box.png && -s box.glb && -s box.html ]] || fail "a bake wrote no picture, mesh or page"
 luxel info box.dae >/dev/null || fail "a COLLADA file was not read"
 say "a scene is baked, and a COLLADA file read"
+for file in paraview/luxel_light.py paraview/luxel_light.pvsm blender/luxel_bake.py; do
+  [[ -s /usr/share/luxel/$file ]] || fail "/usr/share/luxel/$file is missing"
+done
 
 install man-db bash-completion xvfb xauth shared-mime-info desktop-file-utils libglib2.0-bin
 for page in luxel luxel-bake luxel-view; do
