@@ -98,6 +98,8 @@ TEST_F(View, closing_at_any_moment_ends_it_and_saves_if_asked) {
   const auto again =
       cli::run(folder_, "$LUXEL view kept.vtkhdf --width 160 --height 120 --snapshot kept.png");
   EXPECT_EQ(again.code, 0) << again.err;
+  const auto no_display = cli::run(folder_, "env -u DISPLAY -u WAYLAND_DISPLAY $LUXEL view kept.vtkhdf");
+  EXPECT_NE(no_display.err.find("luxel render kept.vtkhdf -o out.png"), std::string::npos) << no_display.err;
 }
 
 TEST_F(View, what_cannot_be_is_one_clear_sentence) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/ending_of.h"
 #include "luxel/core/error.h"
 #include "luxel/image/image_file.h"
 #include "luxel/viewer/script_player.h"
@@ -55,20 +56,21 @@ class WindowLoop {
  private:
   std::unique_ptr<Screen> open() const {
     const auto file = settings_.file.string();
+    const auto* command = ending_of(file) == ".vtkhdf" ? "render" : "bake";
     try {
       if (settings_.off_screen)
         return open_off_screen(settings_.size, settings_.pixel_ratio, settings_.text_scale);
     } catch (const DeviceError& error) {
-      throw DeviceError(
-          fmt::format("{}: 'luxel bake {} -o out.png' makes a picture without OpenGL", error.what(), file));
+      throw DeviceError(fmt::format("{}: 'luxel {} {} -o out.png' makes a picture without OpenGL",
+                                    error.what(), command, file));
     }
     try {
       return open_window("Luxel", settings_.size, settings_.text_scale);
     } catch (const DeviceError& error) {
       throw DeviceError(
           fmt::format("{}: 'luxel view {} --snapshot out.png' draws off screen, and "
-                      "'luxel bake {} -o out.png' without OpenGL",
-                      error.what(), file, file));
+                      "'luxel {} {} -o out.png' without OpenGL",
+                      error.what(), file, command, file));
     }
   }
 
