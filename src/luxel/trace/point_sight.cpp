@@ -7,6 +7,7 @@
 
 #include "luxel/core/trig.h"
 #include "luxel/core/warp.h"
+#include "luxel/photometry/near_opening.h"
 #include "luxel/photometry/opening.h"
 
 namespace luxel {
@@ -76,6 +77,16 @@ PointSight sight_of_disc(const PointLight& light, const Vec3d& normal, const std
   return sight;
 }
 
+// Of a luminaire's opening.
+OpeningPoint choose_point(const PointLight& light, const Vec3d& receiver, const std::array<double, 2>& u) {
+  const auto& opening = light.photometry->opening;
+  const auto way = receiver - Vec3d(light.position);
+  if (glm::dot(way, way) < glm::dot(opening.size, opening.size))
+    if (const auto local = in_local_axes(light, way); is_close_to(opening, local))
+      return sample_opening_from(opening, local, u);
+  return {sample_opening(opening, u)};
+}
+
 }  // namespace
 
 PointSight sight_of(const PointLight& light, const Vec3d& point, const Vec3d& normal,
@@ -83,7 +94,9 @@ PointSight sight_of(const PointLight& light, const Vec3d& point, const Vec3d& no
   if (light.kind == PointLightKind::directional && is_extended(light)) return sight_of_disc(light, normal, u);
   if (!has_opening(light)) return sight_from(light, Vec3d(light.position), point, normal);
   const auto& opening = light.photometry->opening;
-  auto sight = sight_from(light, from_local_axes(light, sample_opening(opening, u)), point, normal);
+  const auto chosen = choose_point(light, point, u);
+  auto sight = sight_from(light, from_local_axes(light, chosen.at), point, normal);
+  sight.irradiance *= chosen.weight;
   if (!(sight.irradiance > 0.0)) return sight;
   const bool is_body = opening.size.x > 0.0 && opening.size.y > 0.0 && opening.size.z > 0.0;
   const bool is_near = sight.distance < glm::length(opening.size) + 2.0 * recess;
