@@ -14,6 +14,8 @@ namespace luxel {
 namespace {
 
 constexpr double close = 0.5;  // of the opening's largest extent, from its surface
+// Of the points, evenly over the opening's area: what bounds the weights (Hesterberg 1995).
+constexpr double even_part = 0.1;
 
 // A rectangular face, or the rectangle around a round one: its plane is `axis` = `level`.
 struct Face {
@@ -21,12 +23,19 @@ struct Face {
   double level = 0.0;
 };
 
-// A face as seen by a receiver that is not in its plane.
+Vec3d sides_of(const LuminousOpening& opening, const Face& face) {
+  auto size = opening.size;
+  size[face.axis] = 0.0;
+  return size;
+}
+
+// A face as seen by a receiver.
 class SeenFace {
  public:
   SeenFace(const LuminousOpening& opening, const Face& face, const Vec3d& receiver)
       : face_(face), receiver_(receiver), halves_(halves_of(opening, face, receiver)) {}
 
+  // 0 where the receiver lies in its plane.
   double solid_angle() const { return halves_[0].solid_angle() + halves_[1].solid_angle(); }
 
   // Evenly in solid angle.
@@ -40,9 +49,8 @@ class SeenFace {
     return at;
   }
 
-  // Of a point of the opening, per m²: 0 unless it lies in this face.
+  // Of point(), per m² at a point of the face.
   double density(const Vec3d& at) const {
-    if (at[face_.axis] != face_.level) return 0.0;
     const auto way = at - receiver_;
     const auto squared = glm::dot(way, way);
     return std::abs(way[face_.axis]) / (squared * std::sqrt(squared) * solid_angle());
@@ -51,15 +59,16 @@ class SeenFace {
  private:
   static std::array<SphericalTriangle, 2> halves_of(const LuminousOpening& opening, const Face& face,
                                                     const Vec3d& receiver) {
+    const auto half = 0.5 * sides_of(opening, face);
     const auto corner = [&](double u, double v) {
-      Vec3d at(0.0);
+      auto at = half;
+      at[(face.axis + 1) % 3] *= u;
+      at[(face.axis + 2) % 3] *= v;
       at[face.axis] = face.level;
-      at[(face.axis + 1) % 3] = u * opening.size[(face.axis + 1) % 3];
-      at[(face.axis + 2) % 3] = v * opening.size[(face.axis + 2) % 3];
       return at - receiver;
     };
-    const auto a = corner(-0.5, -0.5), c = corner(0.5, 0.5);
-    return {SphericalTriangle({a, corner(0.5, -0.5), c}), SphericalTriangle({a, c, corner(-0.5, 0.5)})};
+    const auto a = corner(-1.0, -1.0), c = corner(1.0, 1.0);
+    return {SphericalTriangle({a, corner(1.0, -1.0), c}), SphericalTriangle({a, c, corner(-1.0, 1.0)})};
   }
 
   Face face_;
@@ -67,11 +76,63 @@ class SeenFace {
   std::array<SphericalTriangle, 2> halves_;
 };
 
+// The faces of a sheet or a box, and how often each is chosen: about by its solid angle, hidden faces too,
+// since they have a part of the light.
+class FaceChoice {
+ public:
+  FaceChoice(const LuminousOpening& opening, const Vec3d& receiver) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto half = 0.5 * opening.size[axis];
+      if (is_flat(opening)) {
+        if (half == 0.0) add(opening, {axis, 0.0}, receiver);
+      } else {
+        add(opening, {axis, -half}, receiver);
+        add(opening, {axis, half}, receiver);
+      }
+    }
+  }
+
+  // Leaves u uniform in [0, 1).
+  std::size_t choose(double& u) const {
+    auto rest = u * sum_;
+    std::size_t i = 0;
+    while (i + 1 < count_ && rest >= weights_[i]) rest -= weights_[i++];
+    u = std::min(rest / weights_[i], std::nextafter(1.0, 0.0));
+    return i;
+  }
+  // That which a point of the opening lies in.
+  std::size_t face_of(const Vec3d& at) const {
+    for (std::size_t i = 0; i + 1 < count_; ++i)
+      if (at[faces_[i].axis] == faces_[i].level) return i;
+    return count_ - 1;
+  }
+  const Face& face(std::size_t i) const { return faces_[i]; }
+  double probability(std::size_t i) const { return weights_[i] / sum_; }
+
+ private:
+  // Far away a face's area over the squared distance, close to it a hemisphere.
+  void add(const LuminousOpening& opening, const Face& face, const Vec3d& receiver) {
+    const auto size = sides_of(opening, face);
+    auto outside = glm::max(glm::abs(receiver) - 0.5 * size, Vec3d(0.0));
+    outside[face.axis] = receiver[face.axis] - face.level;
+    const auto area = size[(face.axis + 1) % 3] * size[(face.axis + 2) % 3];
+    const auto weight = area / (glm::dot(outside, outside) + area / (2.0 * std::numbers::pi));
+    faces_[count_] = face;
+    weights_[count_++] = weight;
+    sum_ += weight;
+  }
+
+  std::array<Face, 6> faces_;
+  std::array<double, 6> weights_{};
+  std::size_t count_ = 0;
+  double sum_ = 0.0;
+};
+
 bool is_round(OpeningShape shape) {
   return shape == OpeningShape::ellipse || shape == OpeningShape::vertical_disk;
 }
 
-// m² over which sample_opening() is uniform; nothing for shapes that have no flat faces alone.
+// m² over which sample_opening() is uniform; nothing for shapes that have other than flat faces.
 std::optional<double> area_of(const LuminousOpening& opening) {
   const auto& s = opening.size;
   switch (opening.shape) {
@@ -86,18 +147,6 @@ std::optional<double> area_of(const LuminousOpening& opening) {
     default:
       return std::nullopt;
   }
-}
-
-std::optional<SeenFace> largest_face(const LuminousOpening& opening, const Vec3d& receiver) {
-  std::optional<SeenFace> largest;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (is_flat(opening) && opening.size[axis] > 0.0) continue;
-    const auto half = 0.5 * opening.size[axis];
-    if (!(std::abs(receiver[axis]) > half)) continue;
-    const SeenFace face(opening, {axis, std::copysign(half, receiver[axis])}, receiver);
-    if (!largest || face.solid_angle() > largest->solid_angle()) largest = face;
-  }
-  return largest;
 }
 
 // Returns whether a point of the rectangle around a round face lies in the face.
@@ -119,13 +168,23 @@ bool is_close_to(const LuminousOpening& opening, const Vec3d& receiver) {
 OpeningPoint sample_opening_from(const LuminousOpening& opening, const Vec3d& receiver,
                                  const std::array<double, 2>& u) {
   const auto area = area_of(opening);
-  const auto face = area ? largest_face(opening, receiver) : std::nullopt;
-  if (!face || !(face->solid_angle() > 0.0)) return {sample_opening(opening, u)};
-  const bool by_angle = u[0] < 0.5;
-  const std::array<double, 2> rest = {by_angle ? 2.0 * u[0] : 2.0 * u[0] - 1.0, u[1]};
-  const auto at = by_angle ? face->point(rest) : sample_opening(opening, rest);
-  if (by_angle && is_round(opening.shape) && !is_in_ellipse(opening, at)) return {at, 0.0};
-  return {at, 1.0 / (0.5 + 0.5 * *area * face->density(at))};
+  if (!area) return {sample_opening(opening, u)};
+  const FaceChoice faces(opening, receiver);
+  const bool is_even = u[0] < even_part;
+  std::array<double, 2> rest = {is_even ? u[0] / even_part : (u[0] - even_part) / (1.0 - even_part), u[1]};
+  OpeningPoint chosen;
+  if (is_even) chosen.at = sample_opening(opening, rest);
+  const auto i = is_even ? faces.face_of(chosen.at) : faces.choose(rest[0]);
+  const SeenFace face(opening, faces.face(i), receiver);
+  const bool is_seen = face.solid_angle() > 0.0;
+  if (!is_even) {
+    if (!is_seen) return {Vec3d(0.0), 0.0};
+    chosen.at = face.point(rest);
+    if (is_round(opening.shape) && !is_in_ellipse(opening, chosen.at)) return {chosen.at, 0.0};
+  }
+  const auto by_angle = is_seen ? faces.probability(i) * face.density(chosen.at) : 0.0;
+  chosen.weight = 1.0 / (even_part + (1.0 - even_part) * *area * by_angle);
+  return chosen;
 }
 
 }  // namespace luxel

@@ -17,10 +17,10 @@ struct OpeningPoint {
 // light: sample_opening() finds them seldom. Costs some nanoseconds.
 bool is_close_to(const LuminousOpening& opening, const Vec3d& receiver);
 
-// As sample_opening(), for such a receiver. Half of the points are spread evenly over the solid angle of the
-// face that the receiver sees largest, and weighted by the balance heuristic (Veach and Guibas 1995). The
-// weight is 0 for places of an ellipse's rectangle beside it. Cylinders and ellipsoids: as sample_opening().
-// u: uniform in [0, 1). Costs about 300 ns.
+// As sample_opening(), for such a receiver. Most points of sheets and boxes are spread evenly over the solid
+// angle of a face, and weighted by the balance heuristic (Veach and Guibas 1995). The weight is 0 for places
+// of an ellipse's rectangle beside it. Cylinders and ellipsoids: as sample_opening(). u: uniform in [0, 1).
+// Costs about 400 ns.
 OpeningPoint sample_opening_from(const LuminousOpening& opening, const Vec3d& receiver,
                                  const std::array<double, 2>& u);
 
