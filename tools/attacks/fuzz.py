@@ -12,6 +12,7 @@ class Fuzz:
 
     at_once = CORES
     seconds = 60
+    limits = (ROOT / "tests/fuzz/libfuzzer.options").read_text(encoding="ascii").split()
     binaries, state = ROOT / "build/fuzz/bin", ROOT / "build/fuzz"
 
     def __init__(self, _):
@@ -24,8 +25,8 @@ class Fuzz:
         corpus, found = self.state / "corpus" / name, self.state / "found" / name
         for folder in (corpus, found):
             folder.mkdir(parents=True, exist_ok=True)
-        result = run([str(self.binaries / f"fuzz_{name}"), f"-max_total_time={self.seconds}", "-max_len=16384", "-timeout=20",
-                      "-rss_limit_mb=2560", f"-seed={chance.randrange(1, 1 << 31)}", f"-artifact_prefix={found}/", str(corpus),
+        result = run([str(self.binaries / f"fuzz_{name}"), f"-max_total_time={self.seconds}", *self.limits,
+                      f"-seed={chance.randrange(1, 1 << 31)}", f"-artifact_prefix={found}/", str(corpus),
                       str(ROOT / "tests/fuzz/corpus" / name)], ROOT,
                      env=os.environ | {"LSAN_OPTIONS": f"suppressions={ROOT / 'tests/support/lsan.supp'}"})
         if result.returncode != 0:
