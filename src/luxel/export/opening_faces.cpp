@@ -74,8 +74,8 @@ LuminaireMesh turned_over(LuminaireMesh sheet, double apart) {
 std::vector<LuminaireMesh> parts_of(const LuminousOpening& opening, double apart) {
   const auto whole = opening_mesh(opening);
   if (is_flat(opening)) return {whole, turned_over(whole, apart)};
-  constexpr auto most = 4.0f, steep = 3.0f * 0.7f;
-  return {part_of(whole, -most, -steep), part_of(whole, -steep, steep), part_of(whole, steep, most)};
+  constexpr auto beyond = 4.0f, steep = 3.0f * 0.7f;
+  return {part_of(whole, -beyond, -steep), part_of(whole, -steep, steep), part_of(whole, steep, beyond)};
 }
 
 struct Emission {

@@ -77,7 +77,7 @@ class SeenFace {
 };
 
 // The faces of a sheet or a box, and how often each is chosen: about by its solid angle, hidden faces too,
-// since they have a part of the light.
+// since they have a part of the light. Made for each sample: a DiscreteDistribution would allocate.
 class FaceChoice {
  public:
   FaceChoice(const LuminousOpening& opening, const Vec3d& receiver) {
