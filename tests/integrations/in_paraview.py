@@ -29,6 +29,6 @@ simple.ResetSession()
 simple.LoadState(os.path.join(folder, "luxel_light.pvsm"), filenames=[{"name": "solution", "id": "10", "FileName": [solution]}])
 view = simple.GetActiveView()
 simple.ResetCamera(view)
-simple.SaveScreenshot(picture, view)
+simple.SaveScreenshot(picture.replace(".png", "-state.png"), view)
 found["lumens_of_state"] = [lumens_of(simple.FindSource(name)) for name in ("Illuminance of fronts", "Lit backs")]
 print(json.dumps(found))

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/export/opening_bodies.h"
 
+#include <array>
 #include <map>
 #include <optional>
-#include <tuple>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -43,32 +45,42 @@ class OpeningBodies {
   }
 
  private:
-  using Key = std::tuple<const Photometry*, double, double, double>;
+  using Colour = std::array<float, 3>;
+  using Key = std::pair<const Photometry*, std::vector<Colour>>;  // [face]
 
   // Nothing where nothing is emitted.
   std::optional<std::size_t> mesh_of(const BandPointLight& lamp) {
+    const auto& photometry = *lamp.light.photometry;
+    const auto [faces, is_first] = faces_.try_emplace(&photometry);
+    if (is_first) faces->second = opening_faces(photometry, 2.0 * forward);
+    if (faces->second.empty()) return std::nullopt;
     const auto intensity = patches_.colours().rgb(lamp.intensity);
-    const Key key(lamp.light.photometry.get(), intensity.r, intensity.g, intensity.b);
-    const auto [found, is_new] = meshes_.try_emplace(key);
-    if (is_new) found->second = add_mesh(*lamp.light.photometry, intensity);
+    Key key(&photometry, {});
+    for (const auto& face : faces->second) {
+      const auto colour = curve_(in_gamut(intensity * face.radiance));
+      key.second.push_back({colour.r, colour.g, colour.b});
+    }
+    const auto [found, is_new] = meshes_.try_emplace(key, 0);
+    if (is_new) found->second = add_mesh(photometry.file, faces->second, key.second);
     return found->second;
   }
 
-  std::optional<std::size_t> add_mesh(const Photometry& photometry, const Vec3d& intensity) {
-    const auto name = valid_utf8(fmt::format("opening of {}", photometry.file));
+  std::size_t add_mesh(const std::string& photometric_file, const std::vector<OpeningFace>& faces,
+                       const std::vector<Colour>& colours) {
+    const auto name = valid_utf8(fmt::format("opening of {}", photometric_file));
     auto primitives = Json::array();
-    for (const auto& face : opening_faces(photometry, 2.0 * forward)) {
-      const auto colour = curve_(in_gamut(intensity * face.radiance));
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto& mesh = faces[i].mesh;
       const auto material = file_.append(
           "/materials",
           {{"name", name},
-           {"emissiveFactor", {colour.r, colour.g, colour.b}},
+           {"emissiveFactor", colours[i]},
            {"pbrMetallicRoughness",
             {{"baseColorFactor", {0.0, 0.0, 0.0, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}});
-      Json attributes = {{"POSITION", file_.add_positions(face.mesh.positions)}};
-      attributes["NORMAL"] = file_.add_vectors(std::span<const Vec3>(face.mesh.normals));
+      Json attributes = {{"POSITION", file_.add_positions(mesh.positions)}};
+      attributes["NORMAL"] = file_.add_vectors(std::span<const Vec3>(mesh.normals));
       primitives.push_back({{"attributes", std::move(attributes)},
-                            {"indices", file_.add_indices(face.mesh.triangles, face.mesh.positions.size())},
+                            {"indices", file_.add_indices(mesh.triangles, mesh.positions.size())},
                             {"material", material}});
     }
     return file_.append(
@@ -80,7 +92,8 @@ class OpeningBodies {
   const PatchSet& patches_;
   const ToneCurve& curve_;
   const NodeParent& parent_;
-  std::map<Key, std::optional<std::size_t>> meshes_;
+  std::map<const Photometry*, std::vector<OpeningFace>> faces_;
+  std::map<Key, std::size_t> meshes_;
 };
 
 void take_off_earlier(GltfWriter& file) {

@@ -17,7 +17,7 @@ struct NodeParent {
 };
 
 // Adds the luminous opening of each luminaire as a node with a mesh that emits, so that programs show where
-// the light comes from; one mesh per photometric file and intensity. Its faces have the colours of
+// the light comes from; one mesh per photometric file and colours. Its faces have the colours of
 // opening_faces() after the tone curve. The extras of a mesh have `luxel_opening`: Luxel ignores such meshes
 // when it reads a file, since the light is that of the luminaire. Bodies of an earlier export are removed.
 // Without luminaires the file is not changed.

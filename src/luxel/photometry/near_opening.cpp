@@ -14,7 +14,8 @@ namespace luxel {
 namespace {
 
 constexpr double close = 0.5;  // of the opening's largest extent, from its surface
-// Of the points, evenly over the opening's area: what bounds the weights (Hesterberg 1995).
+// Fraction of the points that are spread evenly over the opening's area. It bounds the weights (Hesterberg
+// 1995).
 constexpr double even_part = 0.1;
 
 // A rectangular face, or the rectangle around a round one: its plane is `axis` = `level`.
@@ -38,7 +39,7 @@ class SeenFace {
   // 0 where the receiver lies in its plane.
   double solid_angle() const { return halves_[0].solid_angle() + halves_[1].solid_angle(); }
 
-  // Evenly in solid angle.
+  // A point of the face, uniform in the solid angle that the receiver sees.
   Vec3d point(const std::array<double, 2>& u) const {
     const auto first = halves_[0].solid_angle() / solid_angle();
     const bool is_second = u[0] >= first;
@@ -49,7 +50,7 @@ class SeenFace {
     return at;
   }
 
-  // Of point(), per m² at a point of the face.
+  // Probability density of point() at a point of the face, 1/m².
   double density(const Vec3d& at) const {
     const auto way = at - receiver_;
     const auto squared = glm::dot(way, way);
@@ -100,7 +101,7 @@ class FaceChoice {
     u = std::min(rest / weights_[i], std::nextafter(1.0, 0.0));
     return i;
   }
-  // That which a point of the opening lies in.
+  // The face that a point of the opening lies in.
   std::size_t face_of(const Vec3d& at) const {
     for (std::size_t i = 0; i + 1 < count_; ++i)
       if (at[faces_[i].axis] == faces_[i].level) return i;

@@ -77,7 +77,7 @@ PointSight sight_of_disc(const PointLight& light, const Vec3d& normal, const std
   return sight;
 }
 
-// Of a luminaire's opening.
+// Chooses a point of a luminaire's opening that lights the receiver, m in the scene's axes.
 OpeningPoint choose_point(const PointLight& light, const Vec3d& receiver, const std::array<double, 2>& u) {
   const auto& opening = light.photometry->opening;
   const auto way = receiver - Vec3d(light.position);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Openings of luminaires in exported GLB files.
 #include <algorithm>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -96,6 +97,20 @@ TEST(OpeningBodies, have_the_radiance_of_their_flux_and_area) {
   EXPECT_NEAR(emitted[0].get<double>(), 0.5, 1e-3);
   EXPECT_NEAR(emitted[1].get<double>(), 0.25, 1e-3);
   EXPECT_EQ(emitted[2].get<double>(), 0.0);
+}
+
+TEST(OpeningBodies, have_no_mesh_where_nothing_is_emitted) {
+  auto lit = lit_square();
+  auto dark = std::make_shared<Photometry>(*lit.patches.point_lights[0].light.photometry);
+  dark->intensity = IntensityDistribution(GoniometerType::c, {0.0, 90.0}, {0.0}, {0.0, 0.0});
+  lit.patches.point_lights[0].light.photometry = dark;
+  const auto path = std::filesystem::path(testing::TempDir()) / "dark_opening.glb";
+  export_glb(path, lit.patches, lit.solution, make_smooth_light(lit.patches, lit.solution), Vec3(0, 1, 0),
+             {.tone = {.op = ToneOperator::clamp}});
+  const GlbFile file(path);
+  EXPECT_FALSE(file.json.at("nodes")[node_named(file, "first")].contains("mesh"));
+  EXPECT_TRUE(file.json.at("nodes")[node_named(file, "second")].contains("mesh"));
+  for (const auto& mesh : file.json.at("meshes")) EXPECT_FALSE(mesh.at("primitives").empty());
 }
 
 TEST(OpeningBodies, are_no_surfaces_and_no_lamps_when_the_file_is_read) {
