@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/run_program.h"
 
@@ -12,6 +13,7 @@ namespace luxel::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 class Ranks : public testing::Test {
  protected:
@@ -39,6 +41,26 @@ TEST_F(Ranks, two_and_three_give_the_bytes_of_one_with_all_that_is_kept) {
     EXPECT_EQ(run.out, "many.vtkhdf\n") << "one rank speaks";
     EXPECT_TRUE(read_file(folder / "one.vtkhdf") == read_file(folder / "many.vtkhdf")) << ranks << " ranks";
   }
+}
+
+TEST_F(Ranks, each_reports_its_part_of_the_work) {
+  const auto folder = fresh_folder("ranks_report");
+  ASSERT_EQ(
+      cli::run(folder, mpirun(3) + fine_bake + "--error 2% -o a.vtkhdf --json-file a.json --quiet").code, 0);
+  const auto report = Json::parse(read_file(folder / "a.json"));
+  const auto& each = report["solve"]["ranks"]["each"];
+  ASSERT_EQ(each.size(), 3u);
+  const auto whole = report["solution"]["rays"].get<double>();
+  double sum = 0.0;
+  for (const auto& rank : each) {
+    const auto rays = rank["rays"].get<double>();
+    sum += rays;
+    EXPECT_GT(rays, 0.1 * whole);
+    EXPECT_GT(rank["exchanges"].get<int>(), 0);
+    EXPECT_GT(rank["received_bytes"].get<double>(), 0.0);
+    EXPECT_GT(rank["processor_seconds"].get<double>(), 0.0);
+  }
+  EXPECT_NEAR(sum, whole, 3.0);  // the light of the first pictures is divided with a remainder
 }
 
 TEST_F(Ranks, what_memory_cannot_hold_is_traced_again_by_each_for_its_own_rows) {

@@ -77,6 +77,15 @@ struct SurfaceMeans {
   ReceivedPower received;
 };
 
+/// Part of a process in a solve that several share.
+struct ProcessRecord {
+  std::uint64_t rays = 0;  ///< traced by it; 0 where the method does not count them
+  std::uint64_t exchanges = 0;
+  std::uint64_t received_bytes = 0;
+  double waited_seconds = 0.0;     ///< for other processes and their data
+  double processor_seconds = 0.0;  ///< of all its threads, without that of waiting
+};
+
 /// Report of a solve. Parts that a method does not have stay empty.
 struct SolveReport {
   StopReason stop = StopReason::nothing_to_do;
@@ -98,8 +107,8 @@ struct SolveReport {
   bool streamed = false;     ///< sampled: hits were traced again for every sweep, for want of memory
   std::uint64_t memory = 0;  ///< bytes the process was predicted to hold at its peak; 0: not predicted
   std::uint64_t unreached_sides = 0;  ///< sides that no light reaches, as far as their first rays could tell
-  std::size_t processes = 1;          ///< processes that shared the work
-  Traffic traffic;                    ///< of this one
+  std::uint64_t own_rays = 0;         ///< sampled: traced by this process
+  std::vector<ProcessRecord> processes;  ///< that shared the work, in their order; empty: one alone
 };
 
 /// Returns the main error of a report: the seen error where it is estimated, else predicted_error.

@@ -8,10 +8,12 @@
 
 namespace luxel {
 
-/// Bytes that a rank has received from the other ranks, and the time it has waited for ranks and data.
+/// What a rank has received from the other ranks, and the time it has waited for ranks and data.
 struct Traffic {
+  std::uint64_t exchanges = 0;  ///< calls that sent or received
   std::uint64_t bytes = 0;
   double seconds = 0.0;
+  double processor_seconds = 0.0;  ///< of waiting: MPI may poll
 };
 
 /// Processes that solve one scene together. Each holds the scene and takes the same decisions; rows are

@@ -142,6 +142,20 @@ Json error_as_json(const SolveReport& report, const std::optional<double>& targe
   return error;
 }
 
+Json ranks_as_json(const SolveReport& report) {
+  auto each = Json::array();
+  for (const auto& process : report.processes)
+    each.push_back({{"rays", process.rays},
+                    {"exchanges", process.exchanges},
+                    {"received_bytes", process.received_bytes},
+                    {"waited_seconds", process.waited_seconds},
+                    {"processor_seconds", process.processor_seconds}});
+  return {{"count", report.processes.size()},
+          {"received_bytes", report.processes[0].received_bytes},
+          {"waited_seconds", report.processes[0].waited_seconds},
+          {"each", std::move(each)}};
+}
+
 Json to_json(const SolveReport& report, const std::optional<double>& target) {
   Json json = {{"error", error_as_json(report, target)}};
   if (!report.steps.empty()) json["steps"] = steps_as_json(report);
@@ -151,10 +165,7 @@ Json to_json(const SolveReport& report, const std::optional<double>& target) {
     json["streamed"] = report.streamed;
     json["predicted_memory_bytes"] = report.memory;
   }
-  if (report.processes > 1)
-    json["ranks"] = {{"count", report.processes},
-                     {"received_bytes", report.traffic.bytes},
-                     {"waited_seconds", report.traffic.seconds}};
+  if (!report.processes.empty()) json["ranks"] = ranks_as_json(report);
   if (!report.means.surfaces.empty()) {
     json["surfaces"] = surfaces_as_json(report.means);
     const auto& received = report.means.received;
@@ -308,10 +319,11 @@ std::string describe(const SolveReport& report) {
       percent(e.absorbed), percent(e.escaped), percent(e.lost_at_backs),
       sum(e.in_panes) > 0.0 ? fmt::format("in panes of glass {:.2f} % + ", percent(e.in_panes)) : "",
       percent(e.unshot));
-  if (report.processes > 1)
-    text += fmt::format("{} ranks: the first received {:.1f} MB from the others and waited {:.1f} s\n",
-                        report.processes, 1e-6 * static_cast<double>(report.traffic.bytes),
-                        report.traffic.seconds);
+  if (!report.processes.empty())
+    text +=
+        fmt::format("{} ranks: the first received {:.1f} MB from the others and waited {:.1f} s\n",
+                    report.processes.size(), 1e-6 * static_cast<double>(report.processes[0].received_bytes),
+                    report.processes[0].waited_seconds);
   if (report.streamed) text += "memory was short: hits were traced again for every sweep\n";
   return text + fmt::format("{}: {}", description(report.stop),
                             quality(report.error_kind, report.seen_error, report.predicted_error,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "luxel/core/process_usage.h"
 #include "luxel/core/ranks.h"
 
 #ifdef LUXEL_HAS_MPI
@@ -130,10 +131,12 @@ class MpiRanks final : public Ranks {
   class Wait {
    public:
     Wait(const MpiRanks& ranks, std::size_t bytes_come) : traffic_(ranks.traffic_) {
+      ++traffic_.exchanges;
       traffic_.bytes += bytes_come;
     }
     ~Wait() {
       traffic_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+      traffic_.processor_seconds += processor_seconds_of_thread() - processor_begin_;
     }
     Wait(const Wait&) = delete;
     Wait& operator=(const Wait&) = delete;
@@ -141,6 +144,7 @@ class MpiRanks final : public Ranks {
    private:
     Traffic& traffic_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    double processor_begin_ = processor_seconds_of_thread();
   };
 
   struct Messages final : Pending {

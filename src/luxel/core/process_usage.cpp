@@ -9,6 +9,18 @@
 #include <unistd.h>
 
 namespace luxel {
+namespace {
+
+double seconds_of(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+double processor_seconds() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
+double processor_seconds_of_thread() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 double process_age() {
   std::ifstream file("/proc/self/stat");

@@ -13,6 +13,7 @@
 #include "luxel/core/address.h"
 #include "luxel/core/error.h"
 #include "luxel/core/memory.h"
+#include "luxel/core/work_partition.h"
 #include "luxel/patch/check_light.h"
 #include "luxel/patch/side.h"
 #include "luxel/solve/ray_allocation.h"
@@ -303,6 +304,8 @@ class Run {
     }
     report_.stop = reason;
     report_.rays = rays();
+    report_.own_rays =
+        (sampling_ ? sampling_->own_rays() : 0) + first_rays_ / SharedWork(context_).processes();
     report_.error_95th = solution_.error_95th;
     solution_.stop = reason;
     sign();

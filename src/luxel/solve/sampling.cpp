@@ -77,6 +77,7 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   make_room(std::uint64_t{first} * options_.replicates * all.size());
   const auto traced = hits_->double_rays(all, first, context_.with_monitor(told));
   if (!traced) return false;
+  own_rays_ = direct_rays + own_gather_rays(all, first);
   rays_ = direct_->all_gather(all, direct_rays) + *traced;
   leave_out_unreached_sides(first_picture);
   if (options_.both_ways) one_way_ = one_way_sides(patches_, hits_->sides(), tracer_, context_);
@@ -195,6 +196,7 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
     const auto told = [&](const Progress& p) { return tell(monitor, {p.stage, p.done, rays_ + p.rays}); };
     for (auto& [rays, receivers] : gathered) {
       make_room(std::uint64_t{rays} * options_.replicates * receivers.size());
+      own_rays_ += own_gather_rays(receivers, rays);
       const auto traced = hits_->double_rays(std::move(receivers), 0, context_.with_monitor(told));
       if (!traced) return false;
       rays_ += *traced;
@@ -213,8 +215,16 @@ bool Sampling::take(std::span<const std::uint8_t> doublings, const Monitor& moni
   std::vector<std::uint32_t> sampled;
   for (std::size_t u = 0; u < n; ++u)
     for (auto s = units_[u]; doublings[u] > 0 && s < units_[u + 1]; ++s) sampled.push_back(s);
+  own_rays_ += rays_ - before;
   rays_ = before + direct_->all_gather(sampled, rays_ - before);
   return true;
+}
+
+std::uint64_t Sampling::own_gather_rays(std::span<const std::uint32_t> receivers, std::uint32_t more) const {
+  const auto own = std::count_if(receivers.begin(), receivers.end(), [this](std::uint32_t s) {
+    return hits_->partition().is_mine(hits_->sides().position[s]);
+  });
+  return std::uint64_t{options_.replicates} * more * static_cast<std::uint64_t>(own);
 }
 
 bool Sampling::take_direct_part(std::span<const std::uint8_t> doublings, int part, const Monitor& monitor) {

@@ -54,6 +54,8 @@ class Sampling {
   const DirectLight& direct_light() const { return direct_light_; }
   std::uint64_t unreached_sides() const { return unreached_sides_; }
   std::uint64_t rays() const { return rays_; }  // traced
+  // Traced by this process.
+  std::uint64_t own_rays() const { return hits_->partition().is_shared() ? own_rays_ : rays_; }
 
   // Unit u is receivers [units()[u], units()[u + 1]).
   std::span<const std::uint32_t> units() const { return units_; }
@@ -81,6 +83,8 @@ class Sampling {
   // Polls the monitor a few times per second. Returns false if it stops the work.
   bool take_direct(std::span<const std::uint32_t> receivers, std::uint32_t first, const Monitor& monitor);
   void leave_out_unreached_sides(const Solution& first_picture);
+  // Gather rays of this process when each of these receivers gets `more` per replicate.
+  std::uint64_t own_gather_rays(std::span<const std::uint32_t> receivers, std::uint32_t more) const;
   std::size_t direct_width() const { return patches_.group_count() * patches_.band_count(); }
 
   const PatchSet& patches_;
@@ -97,6 +101,7 @@ class Sampling {
   std::vector<std::uint32_t> units_;
   std::uint64_t unreached_sides_ = 0;
   std::uint64_t rays_ = 0;
+  std::uint64_t own_rays_ = 0;
 };
 
 }  // namespace luxel

@@ -13,6 +13,7 @@
 #include "luxel/core/error.h"
 #include "luxel/core/hint.h"
 #include "luxel/core/memory.h"
+#include "luxel/core/process_usage.h"
 #include "luxel/core/work_partition.h"
 #include "luxel/patch/check_light.h"
 #include "luxel/solve/slow_process.h"
@@ -95,11 +96,20 @@ SolveReport solve_light(const PatchSet& patches, const Tracer& tracer, Solution&
                         const LightOptions& options, const SolveHooks& hooks, const Context& context) {
   const auto begin = std::chrono::steady_clock::now();
   const SharedWork work(context);
-  const auto waited_before = work.traffic().seconds;
+  const auto traffic_before = work.traffic();
+  const auto processor_before = processor_seconds();
   auto report = solve_by_method(patches, tracer, solution, options, hooks, context);
-  report.processes = work.processes();
-  report.traffic = work.traffic();
-  const auto waits = work.all_gather_value(report.traffic.seconds - waited_before);
+  if (!work.is_shared()) return report;
+  const auto traffic = work.traffic();
+  const auto polled = traffic.processor_seconds - traffic_before.processor_seconds;
+  const ProcessRecord own = {.rays = report.own_rays,
+                             .exchanges = traffic.exchanges - traffic_before.exchanges,
+                             .received_bytes = traffic.bytes - traffic_before.bytes,
+                             .waited_seconds = traffic.seconds - traffic_before.seconds,
+                             .processor_seconds = processor_seconds() - processor_before - polled};
+  report.processes = work.all_gather_value(own);
+  std::vector<double> waits;
+  for (const auto& process : report.processes) waits.push_back(process.waited_seconds);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (const auto slow = slow_process(waits, seconds.count()))
     warn(context.log(), fmt::format("rank {} of {} is slow: each of the others waited {:.0f} s for it",
