@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Processes against threads: the program itself, started by mpirun, on the same number of cores.
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
