@@ -7,8 +7,8 @@
 The pieces are measured in short runs, with twice the error and four times, on one to three ranks of one thread:
 
   processor seconds per patch and round that every rank spends, so that they do not fall with the ranks
-  bytes that a rank receives, of P: (1 - 1/P) of so many per patch and round, per patch and sweep; and (1 - 1/P) / P of so
-  many per ray of each answer, since a ray counts for the patch that it meets, too
+  bytes that each of P ranks receives: a number per patch and round and a number per patch and sweep, both times
+  1 - 1/P; and a number per ray of each answer, times (1 - 1/P) / P, since a ray also counts for the patch that it meets
 
 A run of one rank at the full error gives rays, rounds, sweeps and processor seconds, which do not depend on the number of
 ranks. From these the model predicts each rank's rays, bytes and processor seconds (without those of waiting) for 2, 3 and 4
@@ -36,10 +36,6 @@ NETWORK_SPEED = 10e9  # bytes/s into a node: 100 Gbit/s, less overhead
 LATENCY = 5e-6  # s of a message between nodes
 THREADS = 64  # of a rank of the cluster
 BLOCK = 1024  # patch sides that one rank has at least
-
-
-def option(words, name):
-    return words[words.index(name) + 1]
 
 
 def solve(program, words, ranks, folder):
@@ -127,7 +123,7 @@ def compare(pieces, one, ranks, run):
 
 
 def on_a_cluster(pieces, one, patches):
-    """Seconds of the light of a scene of so many patches, with as many rays per patch and ten times as many."""
+    """Prints the predicted seconds for a larger scene, with 1, 10 and 100 times the rays per patch of the case."""
     print(f"\n{patches:.0e} patches, {THREADS} threads a rank, predicted seconds\n"
           f"{'rays x':>7} {'ranks':>6} {'light':>8} {'rays':>8} {'in every':>9} {'exchange':>9} {'latency':>8}")
     larger = patches / one["patches"]

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <vector>
+
+#include "luxel/core/process_usage.h"
 
 namespace luxel::bench {
 
@@ -15,22 +16,15 @@ double seconds(Body body) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// Time used by the whole process, all threads together.
-inline double cpu_clock() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 struct Cost {
   double cpu = 0.0;   // s, all threads together
   double wall = 0.0;  // s
 };
 template <typename Body>
 Cost cost(Body body) {
-  const auto begin = cpu_clock();
+  const auto begin = processor_seconds();
   const auto wall = seconds(body);
-  return {cpu_clock() - begin, wall};
+  return {processor_seconds() - begin, wall};
 }
 
 inline double median(std::vector<double> values) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "luxel/core/ranks.h"
 #include "luxel/solution/solution.h"
 
 namespace luxel {

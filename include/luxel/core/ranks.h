@@ -8,7 +8,7 @@
 
 namespace luxel {
 
-/// What a rank has received from the other ranks, and the time it has waited for ranks and data.
+/// Data that a rank has received from the other ranks, and the time it has waited for them.
 struct Traffic {
   std::uint64_t exchanges = 0;  ///< calls that sent or received
   std::uint64_t bytes = 0;
