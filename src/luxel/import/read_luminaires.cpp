@@ -113,7 +113,11 @@ std::vector<LuminairePlacement> read_luminaires(const std::filesystem::path& pat
     const PhotometryOptions options{
         .lamp_set = static_cast<std::size_t>(checked(table, "lamp_set", 1.0, 1.0, 1000.0)),
         .rotate = checked(table, "turn", 0.0, -360.0, 360.0)};
-    placement.photometry = store.load(path.parent_path() / file, options);
+    try {
+      placement.photometry = store.load(path.parent_path() / file, options);
+    } catch (const InputError& error) {
+      table.refuse(error.what());
+    }
     placement.group = table.text("group");
     if (placement.group.empty()) placement.group = std::filesystem::path(file).stem().string();
     placement.position = {table.required_number("x"), table.required_number("y"), table.required_number("z")};

@@ -186,6 +186,15 @@ TEST(ListedLuminaires, refuse_what_is_no_list_with_its_line) {
   EXPECT_NE(refusal(head + ",,,,,,1.5,1\n").find("expected a whole number for columns"), std::string::npos);
 }
 
+// The file of a lamp may lie anywhere, so its name alone does not say who asked for it.
+TEST(ListedLuminaires, name_their_line_where_a_lamp_cannot_be_read) {
+  SceneFiles files;
+  files.write("room.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nf 1 2 3\n");
+  files.write("list.csv", "file,x,y,z\n/nowhere/lamp.ies,1,1,1\n");
+  const auto said = files.refusal("room.obj", {.luminaires = {files.path("list.csv")}, .up = {0, 0, 1}});
+  EXPECT_NE(said.find("list.csv:2: /nowhere/lamp.ies"), std::string::npos) << said;
+}
+
 TEST(ListedLuminaires, too_far_away_are_refused) {
   SceneFiles files;
   files.write("lamp.ies", MadeIes().text());
