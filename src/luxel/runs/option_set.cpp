@@ -47,6 +47,13 @@ OptionSet::OptionSet(std::string name, std::string summary)
     : name_(std::move(name)), summary_(std::move(summary)) {}
 
 void OptionSet::add(Declaration declaration) {
+  // An empty value of a list would be lost where the list is printed, a value a line.
+  if (declaration.many)
+    declaration.parse = [parse = std::move(declaration.parse), name = declaration.name,
+                         value = declaration.unit](const std::string& text) {
+      if (text.empty()) throw UsageError(fmt::format("--{}: expected {}, found nothing", name, value));
+      parse(text);
+    };
   auto default_value = declaration.print();
   entries_.push_back({std::move(declaration), heading_, choice_, word_, std::move(default_value)});
 }

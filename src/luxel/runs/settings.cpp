@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/runs/settings.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -41,8 +43,9 @@ float parse_key(const std::string& name, const std::string& text) {
 
 int parse_bands(const std::string& text) {
   const auto value = parse_number(text);
-  const auto count = value ? static_cast<int>(*value) : 0;
-  if (value && static_cast<float>(count) == *value && count >= min_bands && count <= max_bands) return count;
+  if (value && *value >= static_cast<float>(min_bands) && *value <= static_cast<float>(max_bands) &&
+      *value == std::floor(*value))
+    return static_cast<int>(*value);
   throw UsageError(fmt::format("--bands: expected auto or a whole number from {} to {}, not '{}'", min_bands,
                                max_bands, text));
 }
