@@ -140,7 +140,12 @@ class AreaReader {
 
   void read_polygon() {
     const auto rows = keys_.rows("polygon").value_or(std::vector<std::vector<double>>());
-    for (const auto& row : rows) area_.polygon.push_back(corner_of(row, "polygon"));
+    // A corner given twice in succession counts once, and so does a last one that closes the ring.
+    for (const auto& row : rows)
+      if (const auto corner = corner_of(row, "polygon");
+          area_.polygon.empty() || corner != area_.polygon.back())
+        area_.polygon.push_back(corner);
+    if (area_.polygon.size() > 1 && area_.polygon.front() == area_.polygon.back()) area_.polygon.pop_back();
     if (area_.polygon.size() < 3) keys_.refuse("polygon", "expected at least three corners");
     Vec3d normal(0.0);
     double extent = 0.0;

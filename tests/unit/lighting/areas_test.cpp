@@ -56,6 +56,17 @@ TEST(Areas, have_shape_requirement_and_maintenance) {
   EXPECT_EQ(all[2].without[0], all[1].polygon);
 }
 
+// A corner twice in succession made an edge without length, and a surround at no finite place.
+TEST(Areas, corners_given_twice_count_once) {
+  const auto all = areas(
+      "[[area]]\nname = \"desk\"\nkind = \"task\"\nheight = 0.75\nrequirement = \"writing\"\nsurround = "
+      "true\n"
+      "polygon = [[0, 0], [2, 0], [2, 0], [2, 1], [0, 1], [0, 0]]\n");
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].polygon.size(), 4u);
+  EXPECT_NEAR(glm::length(all[1].polygon[0] - Vec3d(-0.5, -0.5, 0.75)), 0.0, 1e-12);
+}
+
 TEST(Areas, surrounds_follow_the_scale_of_EN_12464_1) {
   EXPECT_EQ(surround_of(750).Em, 500.0);
   EXPECT_EQ(surround_of(500).Em, 300.0);
