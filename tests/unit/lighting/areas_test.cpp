@@ -59,8 +59,8 @@ TEST(Areas, have_shape_requirement_and_maintenance) {
 // A corner twice in succession made an edge without length, and a surround at no finite place.
 TEST(Areas, corners_given_twice_count_once) {
   const auto all = areas(
-      "[[area]]\nname = \"desk\"\nkind = \"task\"\nheight = 0.75\nrequirement = \"writing\"\nsurround = "
-      "true\n"
+      "[[area]]\nname = \"desk\"\nkind = \"task\"\nheight = 0.75\n"
+      "requirement = \"writing\"\nsurround = true\n"
       "polygon = [[0, 0], [2, 0], [2, 0], [2, 1], [0, 1], [0, 0]]\n");
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].polygon.size(), 4u);
