@@ -14,6 +14,7 @@
 #include "luxel/patch/refine_patches.h"
 #include "luxel/solve/cut_patches.h"
 #include "luxel/solve/level_difference.h"
+#include "luxel/solve/part_light.h"
 #include "luxel/solve/seen_measure.h"
 #include "luxel/trace/tracer.h"
 
@@ -24,8 +25,9 @@ constexpr double light_fraction =
     2.0;  // of the mesh error target: error to which each of the two solutions is solved
 // Largest error to which a solution is ever solved, seen and of the power: the same light in most rooms.
 constexpr double poorest_seen = 0.1, poorest_power = 0.03;
-constexpr double ratio = 0.5;  // of squared errors: left by halving a patch where the light jumps
-constexpr double aim = 0.8;    // of the allowed squared error: the target of the next mesh
+constexpr double noise_fraction = 0.5;  // of the mesh error: that to which the light of parts is gathered
+constexpr double ratio = 0.5;           // of squared errors: left by halving a patch where the light jumps
+constexpr double aim = 0.8;             // of the allowed squared error: the target of the next mesh
 // fraction of the estimated error that may stay in uncut patches in one pass
 constexpr double max_unrefined_fraction = 0.35;
 // of the patches: cutting fewer is not worth another solve
@@ -110,18 +112,18 @@ class Refinement {
     return marked > min_gain * all;
   }
 
-  // The next level costs at least as much as the last one.
+  // The next level costs about as much as the last one that was cut.
   bool is_within_cost() {
     if (options_.max_cost == 0.0) return true;
-    const auto& last = report_.levels.back();
-    const auto of_one = std::sqrt(2.0) * last.sampling_error;  // it is the error of the mean of two
+    const auto& first = report_.levels.front();
+    const auto of_one = std::sqrt(2.0) * first.sampling_error;  // it is the error of the mean of two
     auto later =
-        0.5 * static_cast<double>(last.rays) * std::pow(of_one / options_.light.error, 2.0 / rays_exponent);
+        0.5 * static_cast<double>(first.rays) * std::pow(of_one / options_.light.error, 2.0 / rays_exponent);
     const auto budget = static_cast<double>(options_.light.ray_budget);
     if (budget > 0.0) later = std::min(later, budget);
-    allowed_rays_ =
-        std::max({allowed_rays_, options_.max_cost * later, static_cast<double>(options_.free_rays)});
-    return static_cast<double>(rays_before_ + last.rays) <= allowed_rays_;
+    allowed_rays_ = std::max(options_.max_cost * later, static_cast<double>(options_.free_rays));
+    const auto next = report_.levels.size() > 1 ? report_.levels.back().rays : 0;
+    return static_cast<double>(rays_before_ + next) <= allowed_rays_;
   }
 
   // How accurately to solve each mesh: a rough solution suffices while the error is large.
@@ -132,26 +134,55 @@ class Refinement {
                     std::min(poorest, std::max(known, light_fraction * options_.mesh_error)));
   }
 
-  bool solve(Level& level, const Tracer& tracer) {
+  // The monitor of a solve, or of the rays of a level.
+  Next tell(const Progress& p) const {
     const auto known = report_.levels.empty() ? 0.0 : report_.levels.back().mesh_error;
-    const auto on_the_way = [&](const Progress& p) {
-      const auto rays = rays_before_ + p.rays;
-      const auto done = allowed_rays_ > 0.0 ? std::min(1.0, static_cast<double>(rays) / allowed_rays_) : 0.0;
-      return context_.report({"refine", done, rays, known});
-    };
+    const auto rays = rays_before_ + p.rays;
+    const auto done = allowed_rays_ > 0.0 ? std::min(1.0, static_cast<double>(rays) / allowed_rays_) : 0.0;
+    return context_.report({"refine", done, rays, known});
+  }
+
+  std::uint64_t seed_of(std::uint32_t answer) const {
+    return stream_key(options_.light.seed, RandomPurpose::refinement,
+                      2 * static_cast<std::uint32_t>(report_.levels.size()) + answer);
+  }
+
+  bool solve(Level& level, const Tracer& tracer) {
+    const auto on_the_way = [this](const Progress& p) { return tell(p); };
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.error = light_error();
       if (options_.max_cost > 0.0)
         how.ray_budget = std::max(options_.free_rays / 4, rays_per_side * side_count(level.patches.size()));
-      how.seed = stream_key(options_.light.seed, RandomPurpose::refinement,
-                            2 * static_cast<std::uint32_t>(report_.levels.size()) + i);
+      how.seed = seed_of(i);
       auto& [solution, smooth] = level.answers[i];
       const auto solved =
           solve_sampled(level.patches, tracer, solution, how, {}, context_.with_monitor(on_the_way));
       level.rays += solved.rays;
       rays_before_ += solved.rays;
       if (solved.stop == StopReason::stopped_by_user) return false;
+      smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
+    }
+    return true;
+  }
+
+  // The light of a level that follows another: where patches were cut, rays find what falls on the parts
+  // from a scene whose light is known.
+  bool gather(Level& level, const Tracer& tracer, std::span<const std::uint32_t> parent) {
+    const Cut cut{level.patches, tracer, parent};
+    const auto on_the_way = [this](const Progress& p) { return tell(p); };
+    const auto error = std::max(light_error(), noise_fraction * report_.levels.back().mesh_error);
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      auto how = options_.light;
+      how.seed = seed_of(i);
+      auto& [solution, smooth] = level.answers[i];
+      solution = inherited_light(now_.answers[i].solution, cut);
+      const auto rays = rays_of_parts(cut, solution, weights_,
+                                      error * error / static_cast<double>(side_count(level.patches.size())));
+      const auto traced = gather_on_parts(cut, rays, how, solution, context_.with_monitor(on_the_way));
+      if (!traced) return false;
+      level.rays += *traced;
+      rays_before_ += *traced;
       smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
     }
     return true;
@@ -164,7 +195,7 @@ class Refinement {
     Level next;
     next.patches = std::move(refined.patches);
     const Tracer tracer(next.patches, context_);
-    if (!solve(next, tracer)) return false;
+    if (report_.levels.empty() ? !solve(next, tracer) : !gather(next, tracer, parent)) return false;
     // The error estimate with the coarser mesh alone: the noise of both is the same then.
     Answers coarse;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -206,14 +237,14 @@ class Refinement {
 
   // Weighs the differences: what each patch adds to the square of the mesh error, and to that of its noise.
   void weigh(const Tracer& tracer) {
-    const auto weights = weights_of_sides(tracer);
+    weights_ = weights_of_sides(tracer);
     const auto bands = now_.patches.band_count();
     squared_.assign(now_.patches.size(), 0.0);
     noise_.assign(now_.patches.size(), 0.0);
     for (std::size_t p = 0; p < now_.patches.size(); ++p)
       for (const bool back : {false, true})
         for (auto i = p * bands; i < (p + 1) * bands; ++i) {
-          const auto weight = weights[SideId(p, back).index()];
+          const auto weight = weights_[SideId(p, back).index()];
           squared_[p] += weight * difference_.squared.of(back)[i];
           noise_[p] += weight * difference_.noise.of(back)[i];
         }
@@ -308,6 +339,7 @@ class Refinement {
   const Context& context_;
   Level now_;
   FieldDifference difference_;           // of the current patches
+  std::vector<double> weights_;          // [side]: see weights_of_sides()
   std::vector<double> squared_, noise_;  // [patch]: see weigh()
   std::uint64_t rays_before_ = 0;
   double allowed_rays_ = 0.0;  // forecast by the levels so far; 0: unknown, or without a bound
