@@ -19,15 +19,16 @@ struct RefineOptions {
   /// light.error_measure.
   double mesh_error = 0.02;
   std::size_t max_patches = 1'000'000;
-  int max_levels = 12;
-  /// Rays of the refinement over those of a later solve to light.error, as the levels so far predict them,
+  int max_levels = 40;
+  /// Rays of the refinement over those of a later solve to light.error, as the first level predicts them,
   /// at most light.ray_budget. Where a level would need more, or would cut few patches, the mesh is cut once
   /// more without an evaluation: its error is a prediction.
   /// 0: no bound.
   double max_cost = 0.0;
   std::uint64_t free_rays = 20'000'000;  ///< that max_cost allows in any case: some 20 s of one core
-  /// Options of the solves that decide about cuts. Their error: the larger of the mesh error that is left and
-  /// twice the target, but at most 10 % seen (3 % of the power); or the error given here if it is larger.
+  /// Options of the solves, of the first mesh and of the last. Their error: the larger of the mesh error that
+  /// is left and twice the target, but at most 10 % seen (3 % of the power); or the error given here if it is
+  /// larger.
   SampledOptions light = {};
   SmoothOptions smooth = {};  ///< how light is reconstructed from patches: its error is what counts
 };
@@ -60,21 +61,27 @@ struct RefineReport {
 };
 
 /// Refines patches where the light needs it. Patches that are large in the scene, or as seen from the views,
-/// are cut, and the light is solved coarsely. The means over the parts are the light of the whole patches as
-/// if it were solved on them; the difference d of the parts from the field reconstructed from these means
-/// (surface/smooth_light.h) is the error of that field, d² in squares. Where light jumps, halving leaves half
-/// of a squared error, and less where it is smooth: the parts still have an error of d² or less, which is the
-/// stated mesh error. The largest differences are cut in four, and the light is solved again. Each side is
-/// weighted by its importance for the seen error, as if d were a standard error (trace/seen_error.h); with
+/// are cut, and the light is solved coarsely. The error of a patch is estimated by what cutting it would
+/// change: the squared residual of the field reconstructed from the means of the patches
+/// (surface/smooth_light.h), the mean of a patch against the field on it, and a tenth of the squared change
+/// that the patch's own cut made to that field. Where light jumps, halving changes half of a squared error,
+/// and more where it is smooth: the mesh error is the root of twice the sum. Each side is weighted by its
+/// importance for the seen error, as if its difference were a standard error (trace/seen_error.h); with
 /// ErrorMeasure::power, and where the scene has no open space, by its area over the squared light of the
 /// scene.
 ///
-/// Each light is solved twice, independently: d² is the product of the differences of both answers, whose
-/// noise is independent, so that rough answers suffice. Their random streams differ from those of other
-/// levels and of a later solve.
+/// The patches with the largest estimates are cut in four, a few at a time. The parts gather the light of the
+/// scene as it is known (solve/part_light.h): the cost of a level is that of its parts. When the target seems
+/// reached, the light is solved anew on the mesh, since estimates that decided about cuts are too low where
+/// they were kept; the refinement ends where the new ones confirm it. With a bound on the cost, only if that
+/// allows it.
 ///
-/// The same bits on any number of threads. Cost: two coarse solves per level; levels grow about as the length
-/// of the jumps in patches.
+/// All light is found twice, independently: squares are products of both answers, whose noise is independent,
+/// so that rough answers suffice. Their random streams differ from those of other levels and of a later
+/// solve.
+///
+/// The same bits on any number of threads. Cost: two coarse solves, two more on the last mesh, and for each
+/// part at most 512 rays.
 PatchSet refine_to_light(PatchSet patches, const RefineOptions& options, RefineReport& report,
                          const Context& context = {});
 

@@ -35,7 +35,7 @@ std::string describe(const RefineReport& report, bool is_late) {
   std::vector<std::size_t> patches;
   for (const auto& level : report.levels) {
     rays += level.rays;
-    patches.push_back(level.patches);
+    if (patches.empty() || patches.back() != level.patches) patches.push_back(level.patches);
   }
   const auto why = is_late ? description(StopReason::time_limit) : text_of(report.stop).description;
   return fmt::format("refined where the light needs it: {} patches; {} rays; {}: mesh error {}",

@@ -195,7 +195,7 @@ RefineOptions RefineSettings::options(std::size_t patches) const {
   constexpr std::size_t enough = 100'000;
   options.mesh_error = 0.02;
   options.max_patches = std::min(max_patches, std::max(enough, patches + patches / 2));
-  options.max_levels = 5;
+  options.max_levels = 16;
   options.max_cost = 0.5;
   // The same for each --quality, --error and --seed, as the mesh is: that of the light at its default.
   options.light.ray_budget = 300'000'000;

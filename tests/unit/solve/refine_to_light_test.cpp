@@ -81,9 +81,9 @@ TEST(RefineToLight, patches_gather_at_a_shadows_edge_until_the_error_is_met) {
   RefineReport report;
   const auto patches =
       refine_to_light(make_patches(scene, {.max_edge = 0.3f}),
-                      {.mesh_error = 0.04, .light = {.error_measure = ErrorMeasure::power}}, report, context);
+                      {.mesh_error = 0.02, .light = {.error_measure = ErrorMeasure::power}}, report, context);
   EXPECT_EQ(report.stop, RefineStop::mesh_error_reached);
-  EXPECT_LE(report.mesh_error, 0.04);
+  EXPECT_LE(report.mesh_error, 0.02);
   const Tracer tracer(patches, context);
   const auto error = true_error(patches, tracer, context);
   // The stated error bounds the true one where light jumps, and exceeds it where light is smooth.
