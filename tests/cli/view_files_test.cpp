@@ -57,6 +57,17 @@ TEST_F(ViewFiles, without_a_scene_the_window_is_empty_until_one_is_dropped) {
   EXPECT_NE(refused.err.find("need a scene"), std::string::npos) << refused.err;
 }
 
+// Found by random actions: the waits ended with the scene that was still shown, and the lamps went with it.
+TEST_F(ViewFiles, scripts_wait_for_the_scene_that_is_being_opened) {
+  write("room.gltf", small_room().text());
+  for (const std::string event : {"mesh", "light", "view"}) {
+    const auto done =
+        run("s.txt", "wait light\nwait view\ndrop room.gltf\nwait " + event + "\nexpect file room.gltf\n",
+            "--off-screen");
+    EXPECT_EQ(done.code, 0) << event << ": " << done.err;
+  }
+}
+
 TEST_F(ViewFiles, a_broken_gltf_file_is_a_dialog_and_what_was_there_stays) {
   const auto whole = small_room().glb();
   write("cut.glb", whole.substr(0, whole.size() - 20));
