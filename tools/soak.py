@@ -3,13 +3,15 @@
 """Attacks on the built program, for hours if need be: ./dev soak [--minutes N] [ATTACK...].
 
 Each attack goes on where it stopped: the seed of a try is its number. Totals are added up in
-build/soak/totals.json; what was found is kept in build/soak/findings, with the command that shows it again.
+build/soak/totals.json; what was found is kept in build/soak/findings, with the command that shows it again. Legs of
+different attacks may run side by side.
 
 An attack is a class in attacks/: attempt(chance) makes one try with these random numbers, raises Finding, and returns what is
 to be added to its totals. `at_once` tries run side by side. report(totals) is a sentence for the end.
 """
 
 import argparse
+import fcntl
 import json
 import os
 import random
@@ -26,6 +28,30 @@ from attacks.window import Window
 
 ATTACKS = {"kills": Kills, "signals": Signals, "scenes": Scenes, "fuzz": Fuzz, "window": Window}
 BY_DEFAULT = ("kills", "signals", "scenes")
+TOTALS = STATE / "totals.json"
+
+
+def read_totals():
+    return json.loads(TOTALS.read_text()) if TOTALS.exists() else {}
+
+
+def lock(attack):
+    """For the life of this process; another leg of the attack would try the same numbers."""
+    file = open(STATE / f"{attack}.lock", "w")
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        sys.exit(f"soak: another leg of {attack} is running: wait for its end")
+    return file
+
+
+def keep(name, total):
+    """Only the totals of this attack: others may be added to at the same time."""
+    with open(STATE / "totals.lock", "w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        written = TOTALS.with_suffix(".new")
+        written.write_text(json.dumps(read_totals() | {name: total}, indent=2))
+        written.replace(TOTALS)
 
 
 def cpu_seconds():
@@ -69,22 +95,24 @@ def main():
     if unknown:
         parser.error(f"there is no attack {unknown[0]}: expected {', '.join(ATTACKS)}")
     STATE.mkdir(parents=True, exist_ok=True)
-    totals_file = STATE / "totals.json"
-    totals = json.loads(totals_file.read_text()) if totals_file.exists() else {}
     names = options.attacks or BY_DEFAULT
+    locks = [lock(name) for name in dict.fromkeys(names)]
+    totals = read_totals()
     end = time.monotonic() + 60.0 * min(options.minutes, 60.0)
     attacks = {name: ATTACKS[name](os.path.abspath(options.luxel)) for name in names}
     found = 0
     while time.monotonic() < end:
         for name in names:
             found += several_tries(name, attacks[name], totals.setdefault(name, {"tries": 0, "findings": 0, "cpu_seconds": 0.0}))
-            totals_file.write_text(json.dumps(totals, indent=2))
+            keep(name, totals[name])
             if time.monotonic() >= end:
                 break
-    for name, total in totals.items():
+    for name, total in read_totals().items():
         longest = f", the longest took {total['longest_seconds']} s" if "longest_seconds" in total else ""
         print(f"{name:8} {total['tries']:6} tries {total['findings']:3} findings {total['cpu_seconds']:8.0f} CPU s in all, "
               f"{ATTACKS[name].report(total)}{longest}")
+    for file in locks:
+        file.close()
     return 1 if found else 0
 
 

@@ -116,6 +116,21 @@ TEST_F(Ranks, a_slow_one_ends_nothing_is_named_and_changes_no_byte) {
   EXPECT_TRUE(read_file(folder / "end.vtkhdf") == read_file(folder / "whole.vtkhdf"));
 }
 
+// The first rank stands still, so that the second waits for it; the second is stopped while it waits and goes
+// on more than five seconds after the first. Its own clock cannot tell those from waiting.
+TEST_F(Ranks, one_that_stands_still_while_it_waits_is_named) {
+  const auto folder = fresh_folder("ranks_stopped_in_wait");
+  const auto run = cli::run(
+      folder, mpirun(2) + fine_bake +
+                  "--error 1% --checkpoint run.vtkhdf --every 0 -o end.vtkhdf "
+                  "& pid=$!; while [ ! -e run.vtkhdf ]; do sleep 0.02; kill -0 $pid || exit 9; done; "
+                  "first=$(pgrep -P $pid | sed -n 1p); slow=$(pgrep -P $pid | sed -n 2p); "
+                  "kill -STOP $first; sleep 1.5; kill -STOP $slow; kill -CONT $first; sleep 5.5; "
+                  "kill -CONT $slow; wait $pid");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("rank 1 of 2 is slow: each of the others waited"), std::string::npos) << run.err;
+}
+
 // Address sanitizers reserve more address space than any limit allows.
 #ifndef __SANITIZE_ADDRESS__
 TEST_F(Ranks, one_that_is_out_of_memory_ends_all_with_a_sentence) {

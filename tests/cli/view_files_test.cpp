@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that come and go while `luxel view` is open: scenes dropped on the window, pictures of any size.
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
 #include "cli/view_fixture.h"
 #include "support/small_gltf.h"
 
@@ -55,6 +60,32 @@ TEST_F(ViewFiles, without_a_scene_the_window_is_empty_until_one_is_dropped) {
   const auto refused = cli::run(folder_, "$LUXEL view --snapshot view.png");
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("need a scene"), std::string::npos) << refused.err;
+}
+
+// The box beside a floor of 2 side² triangles, which takes many frames to read.
+std::string large_scene(const std::string& box, int side) {
+  std::string text = box;
+  for (int i = 0; i <= side; ++i)
+    for (int j = 0; j <= side; ++j) text += fmt::format("v {} 0 {}\n", 10.0 + 0.001 * i, 0.001 * j);
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const int corner = (i - side - 1) * (side + 1) + j;  // from the end, as relative indices
+      text += fmt::format("f {} {} {} {}\n", corner, corner + 1, corner + side + 2, corner + side + 1);
+    }
+  return text;
+}
+
+// Found by random actions: the waits ended with the scene that was still shown, and the lamps went with it.
+TEST_F(ViewFiles, scripts_wait_for_the_scene_that_is_being_opened) {
+  std::ifstream file(folder_ / "cornell-box.obj");
+  const std::string box{std::istreambuf_iterator<char>(file), {}};
+  write("large.obj", large_scene(box, 200));
+  for (const std::string event : {"mesh", "light", "view"}) {
+    const auto done =
+        run("s.txt", "wait light\nwait view\ndrop large.obj\nwait " + event + "\nexpect file large.obj\n",
+            "--off-screen");
+    EXPECT_EQ(done.code, 0) << event << ": " << done.err;
+  }
 }
 
 TEST_F(ViewFiles, a_broken_gltf_file_is_a_dialog_and_what_was_there_stays) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "luxel/core/process_usage.h"
@@ -52,7 +53,8 @@ class MpiRanks final : public Ranks {
   void all_gather(std::span<const std::byte> own, std::span<std::byte> all,
                   std::span<const std::size_t> sizes) const override {
     const auto places = begins(sizes);
-    const Wait wait(*this, places.back() - own.size());
+    Wait wait(*this, places.back() - own.size());
+    wait.until_all_are_here();
     if (places.back() <= max_message) {
       const std::vector<int> counts(sizes.begin(), sizes.end());
       const std::vector<int> offsets(places.begin(), places.end() - 1);
@@ -89,23 +91,21 @@ class MpiRanks final : public Ranks {
 
   void gather_to_first(std::span<const std::byte> own, std::span<std::byte> all,
                        std::span<const std::size_t> sizes) const override {
-    if (rank_ > 0) {
-      const Wait wait(*this, 0);
-      for (std::size_t i = 0; i < own.size(); i += max_message)
-        MPI_Send(own.data() + i, length(own.size(), i), MPI_BYTE, 0, 0, MPI_COMM_WORLD);
-      return;
-    }
     const auto places = begins(sizes);
-    const Wait wait(*this, places.back() - own.size());
-    std::copy(own.begin(), own.end(), all.begin());
-    for (std::size_t r = 1; r < size_; ++r)
-      for (std::size_t i = 0; i < sizes[r]; i += max_message)
-        MPI_Recv(all.data() + places[r] + i, length(sizes[r], i), MPI_BYTE, static_cast<int>(r), 0,
-                 MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    Wait wait(*this, rank_ == 0 ? places.back() - own.size() : 0);
+    std::vector<MPI_Request> requests;
+    if (rank_ > 0) {
+      send(own, 0, requests);
+    } else {
+      std::copy(own.begin(), own.end(), all.begin());
+      for (std::size_t r = 1; r < size_; ++r) receive(all.subspan(places[r], sizes[r]), r, requests);
+    }
+    wait.until_done(requests);
   }
 
   void broadcast(std::span<std::byte> bytes) const override {
-    const Wait wait(*this, rank_ == 0 ? 0 : bytes.size());
+    Wait wait(*this, rank_ == 0 ? 0 : bytes.size());
+    wait.until_all_are_here();
     broadcast_from(bytes, 0);
   }
 
@@ -113,21 +113,18 @@ class MpiRanks final : public Ranks {
                 std::span<const std::span<std::byte>> come) const override {
     std::size_t bytes = 0;
     for (const auto& part : come) bytes += part.size();
-    const Wait wait(*this, bytes - come[rank_].size());
+    Wait wait(*this, bytes - come[rank_].size());
     std::vector<MPI_Request> requests;
     for (std::size_t r = 0; r < size_; ++r) {
-      for (std::size_t i = 0; i < come[r].size(); i += max_message)
-        MPI_Irecv(come[r].data() + i, length(come[r].size(), i), MPI_BYTE, static_cast<int>(r), 0,
-                  MPI_COMM_WORLD, &requests.emplace_back());
-      for (std::size_t i = 0; i < own[r].size(); i += max_message)
-        MPI_Isend(own[r].data() + i, length(own[r].size(), i), MPI_BYTE, static_cast<int>(r), 0,
-                  MPI_COMM_WORLD, &requests.emplace_back());
+      receive(come[r], r, requests);
+      send(own[r], r, requests);
     }
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    wait.until_done(requests);
   }
 
  private:
-  // Counts as waiting time of the rank while it exists.
+  // Counts as waiting time of the rank while it exists, without the time in which the rank stood still
+  // itself: the others wait for it then.
   class Wait {
    public:
     Wait(const MpiRanks& ranks, std::size_t bytes_come) : traffic_(ranks.traffic_) {
@@ -141,6 +138,23 @@ class MpiRanks final : public Ranks {
     Wait(const Wait&) = delete;
     Wait& operator=(const Wait&) = delete;
 
+    void until_done(std::span<MPI_Request> requests) {
+      constexpr std::chrono::seconds longest_look{1};  // a look may copy a large message
+      auto last = std::chrono::steady_clock::now();
+      for (int is_done = 0; !is_done;) {
+        MPI_Testall(static_cast<int>(requests.size()), requests.data(), &is_done, MPI_STATUSES_IGNORE);
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last > longest_look) begin_ += now - last;
+        last = now;
+        if (!is_done) std::this_thread::yield();
+      }
+    }
+    void until_all_are_here() {
+      MPI_Request request = MPI_REQUEST_NULL;
+      MPI_Ibarrier(MPI_COMM_WORLD, &request);
+      until_done({&request, 1});
+    }
+
    private:
     Traffic& traffic_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
@@ -150,8 +164,8 @@ class MpiRanks final : public Ranks {
   struct Messages final : Pending {
     explicit Messages(const MpiRanks& of) : ranks(of) {}
     void wait() override {
-      const Wait wait(ranks, 0);
-      MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+      Wait wait(ranks, 0);
+      wait.until_done(requests);
     }
     const MpiRanks& ranks;
     std::vector<MPI_Request> requests;
@@ -164,6 +178,16 @@ class MpiRanks final : public Ranks {
   }
   static int length(std::size_t size, std::size_t from) {
     return static_cast<int>(std::min(max_message, size - from));
+  }
+  static void send(std::span<const std::byte> bytes, std::size_t to, std::vector<MPI_Request>& requests) {
+    for (std::size_t i = 0; i < bytes.size(); i += max_message)
+      MPI_Isend(bytes.data() + i, length(bytes.size(), i), MPI_BYTE, static_cast<int>(to), 0, MPI_COMM_WORLD,
+                &requests.emplace_back());
+  }
+  static void receive(std::span<std::byte> bytes, std::size_t from, std::vector<MPI_Request>& requests) {
+    for (std::size_t i = 0; i < bytes.size(); i += max_message)
+      MPI_Irecv(bytes.data() + i, length(bytes.size(), i), MPI_BYTE, static_cast<int>(from), 0,
+                MPI_COMM_WORLD, &requests.emplace_back());
   }
   static void broadcast_from(std::span<std::byte> bytes, int from) {
     for (std::size_t i = 0; i < bytes.size(); i += max_message)

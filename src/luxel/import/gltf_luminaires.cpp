@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "luxel/core/error.h"
 #include "luxel/import/gltf_lamps.h"
 #include "luxel/scene/luminous_efficacy.h"
 
@@ -44,7 +45,7 @@ class GltfLuminaires {
     const PhotometryOptions options{
         .lamp_set = static_cast<std::size_t>(bounded(extras["luminaire_lamp_set"], 1.0, 1.0, 1000.0)),
         .rotate = bounded(extras["luminaire_turn"], 0.0, -360.0, 360.0)};
-    light.photometry = store_.parse(file_.resource(name), name.text(), options);
+    light.photometry = parsed(name, file_.resource(name), name.text(), options);
     light.name = extras["luminaire_group"].text(std::filesystem::path(name.text()).stem().string());
     light.dimming = static_cast<float>(bounded(extras["luminaire_dimming"], 1.0, 0.0, 1000.0));
     light.maintenance = static_cast<float>(bounded(extras["luminaire_maintenance"], 1.0, 1e-3, 1.0));
@@ -85,8 +86,18 @@ class GltfLuminaires {
     const auto uri = light["uri"];
     const auto name = light["name"].text(fmt::format("light profile {}", number));
     const auto bytes = uri ? file_.resource(uri) : std::string(file_.view(light["bufferView"]));
-    known = store_.parse(bytes, uri && !uri.text().starts_with("data:") ? uri.text() : name, {});
+    known = parsed(light, bytes, uri && !uri.text().starts_with("data:") ? uri.text() : name, {});
     return known;
+  }
+
+  // Errors name what asks for the file, too.
+  std::shared_ptr<const Photometry> parsed(const JsonValue& at, const std::string& bytes,
+                                           const std::string& name, const PhotometryOptions& options) const {
+    try {
+      return store_.parse(bytes, name, options);
+    } catch (const InputError& error) {
+      at.refuse(error.what());
+    }
   }
 
   // The third axis follows, so that a mirrored node does not mirror the luminaire.

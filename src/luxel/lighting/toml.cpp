@@ -254,6 +254,7 @@ std::optional<std::string> TomlKeys::text(std::string_view key) const {
   if (value == nullptr) return std::nullopt;
   const auto* text = std::get_if<std::string>(&value->value);
   if (text == nullptr) refuse(key, "expected text between \" and \"");
+  if (text->empty()) refuse(key, "expected text between \" and \", found none");
   return *text;
 }
 

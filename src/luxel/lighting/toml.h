@@ -59,7 +59,7 @@ class TomlKeys {
            const std::vector<std::string>& known);
 
   bool has(std::string_view key) const { return find(key) != nullptr; }
-  std::optional<std::string> text(std::string_view key) const;
+  std::optional<std::string> text(std::string_view key) const;  // not empty
   std::optional<bool> flag(std::string_view key) const;
   std::optional<double> number(std::string_view key, double min, double max) const;
   // A list of `size` numbers; 0: of any number of them.

@@ -74,7 +74,8 @@ class Hdf5Reader {
 
   Hdf5Silence silence_;
   std::string path_;
-  std::size_t file_size_ = 0;  // bytes
+  std::size_t file_size_ = 0;        // bytes
+  mutable std::size_t claimed_ = 0;  // bytes, of the arrays that were opened
   Hdf5Handle file_;
   Renamed renamed_;
 };

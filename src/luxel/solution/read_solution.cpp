@@ -65,18 +65,20 @@ void check_cells(const Hdf5Reader& file, std::size_t n) {
 }
 
 void read_mesh(const Hdf5Reader& file, PatchSet& patches) {
+  // The numbers first: arrays of wrong lengths may be of gigabytes.
   const auto n = file.rows("VTKHDF/Types");
+  const auto points = file.rows("VTKHDF/Points");
+  check_count(file, "VTKHDF/NumberOfPoints", points);
+  check_count(file, "VTKHDF/NumberOfCells", n);
+  check_count(file, "VTKHDF/NumberOfConnectivityIds", 3 * n);
   check_cells(file, n);
   patches.origin = read_origin(file, "Luxel/origin");
   if (file.has("Luxel/up")) {
     const auto up = file.array<float>("Luxel/up", 3);
     patches.up = {up[0], up[1], up[2]};
   }
-  patches.vertices = read_places(file, "VTKHDF/Points", file.rows("VTKHDF/Points"), patches.origin);
+  patches.vertices = read_places(file, "VTKHDF/Points", points, patches.origin);
   patches.corners = read_corners(file, n);
-  check_count(file, "VTKHDF/NumberOfPoints", patches.vertices.size());
-  check_count(file, "VTKHDF/NumberOfCells", n);
-  check_count(file, "VTKHDF/NumberOfConnectivityIds", 3 * n);
   patches.normal = file.vectors("Luxel/normals", n);
   patches.area = file.array<float>("VTKHDF/CellData/area", n);
   patches.material = file.array<MaterialId>("VTKHDF/CellData/material", n);

@@ -91,7 +91,8 @@ class Sampling {
   const Tracer& tracer_;
   SampledOptions options_;
   const Context& context_;
-  std::uint64_t memory_;  // bytes that may be held
+  std::uint64_t memory_;        // bytes that may be held
+  std::uint64_t begin_memory_;  // bytes of the process, before any light
   Lamps lamps_;
   DirectLight direct_light_;
   PatchTree tree_;

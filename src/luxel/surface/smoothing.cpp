@@ -77,7 +77,7 @@ void smooth_values(const SheetWork& work, Replicates replicates, std::size_t ban
     });
   };
   for_values([](float& value, const float& of_receiver) { value = of_receiver; });
-  if (!work.grids.empty()) spread_outliers(sheet, work.grids[0], columns, values, run);
+  spread_outliers(sheet, work.grids, columns, values, run);
   std::vector<float> bias(sheet.size() * bands);
   FineChange change;
   smooth_sheet(sheet, work.grids, columns, weights, {values, bias, fine ? &change : nullptr}, run);

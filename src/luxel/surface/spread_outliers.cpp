@@ -10,7 +10,7 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t min_near = 8;  // receivers by which to judge
+constexpr std::size_t min_near = 8;  // lit receivers by which to judge
 constexpr float reach = 4.0f;        // deciles above the median; of Gaussian noise 5 standard deviations
 constexpr float above_own = 4.0f;    // over the median of a bright side's own replicates
 constexpr float min_facing = 0.5f;   // cosine between the normals of giver and taker
@@ -22,23 +22,36 @@ struct Outlier {
   float factor = 1.0f;  // that takes it to the bound
 };
 
+// The cells of one grid. is_judged: [receiver], for all grids.
 class Cells {
  public:
-  Cells(const LightSheet& sheet, const WindowGrid& grid, WindowColumns columns, std::vector<float>& values)
-      : sheet_(sheet), grid_(grid), columns_(columns), values_(values), outliers_(grid.cells()) {}
+  Cells(const LightSheet& sheet, const WindowGrid& grid, WindowColumns columns, std::vector<float>& values,
+        std::vector<char>& is_judged)
+      : sheet_(sheet),
+        grid_(grid),
+        columns_(columns),
+        values_(values),
+        is_judged_(is_judged),
+        outliers_(grid.cells()) {}
 
-  // Finds the outliers of a cell. Any number of threads may call, for different cells.
+  // Finds the outliers of a cell among its receivers that are not judged yet, where enough others are near.
+  // Any number of threads may call, for different cells.
   void judge(std::size_t cell) {
+    const auto inside = grid_.in_cell(cell);
+    if (std::all_of(inside.begin(), inside.end(), [this](auto i) { return is_judged_[i] != 0; })) return;
     const auto near = receivers_near(cell);
-    if (near.size() < min_near) return;
     std::vector<float> all;
     for (const auto i : near)
-      for (std::size_t r = 0; r < columns_.replicates; ++r) all.push_back(sum_of(i, r));
+      if (is_lit(i))
+        for (std::size_t r = 0; r < columns_.replicates; ++r) all.push_back(sum_of(i, r));
+    if (all.size() < min_near * columns_.replicates) return;
     const auto median = quantile(all, 0.5);
     const auto above = reach * (quantile(all, 0.9) - median);
     if (!(above > 0.0f)) return;
     std::vector<float> own(columns_.replicates);
-    for (const auto i : grid_.in_cell(cell)) {
+    for (const auto i : inside) {
+      if (is_judged_[i]) continue;
+      is_judged_[i] = 1;
       for (std::size_t r = 0; r < own.size(); ++r) own[r] = sum_of(i, r);
       const auto largest = *std::max_element(own.begin(), own.end());
       if (!(largest > median + above)) continue;
@@ -64,6 +77,12 @@ class Cells {
     float sum = 0.0f;
     for (std::size_t b = 0; b < columns_.bands; ++b) sum += value[b];
     return sum;
+  }
+  // Sides that no light reaches say nothing about the noise of others.
+  bool is_lit(std::uint32_t receiver) const {
+    for (std::size_t r = 0; r < columns_.replicates; ++r)
+      if (sum_of(receiver, r) != 0.0f) return true;
+    return false;
   }
   float* value_of(std::uint32_t receiver, std::size_t replicate) const {
     return values_.data() + receiver * columns_.size() + replicate * columns_.stride();
@@ -113,18 +132,23 @@ class Cells {
   const WindowGrid& grid_;
   WindowColumns columns_;
   std::vector<float>& values_;
+  std::vector<char>& is_judged_;
   std::vector<std::vector<Outlier>> outliers_;  // [cell]
 };
 
 }  // namespace
 
-void spread_outliers(const LightSheet& sheet, const WindowGrid& finest, WindowColumns columns,
+void spread_outliers(const LightSheet& sheet, std::span<const WindowGrid> grids, WindowColumns columns,
                      std::vector<float>& values, const LoopRunner& run) {
-  Cells cells(sheet, finest, columns, values);
-  run(finest.cells(), [&](std::size_t begin, std::size_t end) {
-    for (auto cell = begin; cell < end; ++cell) cells.judge(cell);
-  });
-  cells.spread();
+  std::vector<char> is_judged(sheet.size(), 0);
+  for (const auto& grid : grids) {
+    Cells cells(sheet, grid, columns, values, is_judged);
+    run(grid.cells(), [&](std::size_t begin, std::size_t end) {
+      for (auto cell = begin; cell < end; ++cell) cells.judge(cell);
+    });
+    cells.spread();
+    if (std::find(is_judged.begin(), is_judged.end(), 0) == is_judged.end()) return;
+  }
 }
 
 }  // namespace luxel

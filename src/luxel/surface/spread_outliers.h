@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "luxel/surface/light_sheets.h"
@@ -15,12 +16,13 @@ namespace luxel {
 // are; all bands by one factor, so that hues stay.
 //
 // A value is bounded by m + 4 (q - m), m the median and q the ninth decile of the replicates of all sides
-// within about two median patches; where its side's own median is above that, by four times that. Nothing is
-// bounded where fewer than 8 sides are near, or where q is not above m: too few rays to judge by.
+// that light reaches within about two median patches; where its side's own median is above that, by four
+// times that. Where fewer than 8 such sides are near, those of the finest scale decide at which 8 are.
+// Nothing is bounded where q is not above m: too few rays to judge by.
 //
-// finest: the windows of the finest scale. values: see SheetLight. Cost: about 0.3 us per receiver of 8
-// replicates.
-void spread_outliers(const LightSheet& sheet, const WindowGrid& finest, WindowColumns columns,
+// grids: the windows of all scales, the finest first. values: see SheetLight. Cost: about 0.3 us per receiver
+// of 8 replicates.
+void spread_outliers(const LightSheet& sheet, std::span<const WindowGrid> grids, WindowColumns columns,
                      std::vector<float>& values, const LoopRunner& run);
 
 }  // namespace luxel

@@ -42,6 +42,8 @@ class CurrentSession {
   const SessionStatus& status() const { return snapshot_.status; }
   // Title of the displayed scene, else of the coming one.
   std::string title() const;
+  // Returns whether a scene is being read that will replace the displayed one.
+  bool is_opening() const { return next_ != nullptr; }
   // Returns whether the solver works or a file is being read.
   bool is_busy() const;
 

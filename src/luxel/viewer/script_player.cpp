@@ -143,18 +143,21 @@ void ScriptPlayer::wait(const Words& words) {
       return frames(static_cast<int>(std::ceil(static_cast<double>(count) / frame_seconds)));
     throw InputError(fmt::format("one waits for frames or seconds, not for {}", words[2]));
   }
-  // The wait ends when the event can no longer happen; the script's next action reports what is missing.
+  // A scene that is being opened is waited for, not the one that it replaces. The wait ends when the event
+  // can no longer happen; the script's next action reports what is missing.
   const auto& session = viewer_.session;
   const auto is_over = [this, &session] {
     return !viewer_.notices.errors().empty() &&
            (!session.has_scene() || (session.status().is_idle && !session.mesh()));
   };
   if (words[1] == "mesh") {
-    waits_ = [=, &session] { return session.mesh() != nullptr || is_over(); };
+    waits_ = [=, &session] { return (session.mesh() && !session.is_opening()) || is_over(); };
   } else if (words[1] == "light") {
-    waits_ = [=, &session] { return session.light() != nullptr || is_over(); };
+    waits_ = [=, &session] { return (session.light() && !session.is_opening()) || is_over(); };
   } else if (words[1] == "view") {
-    waits_ = [=, this] { return (viewer_.has_view() && !viewer_.camera.is_moving()) || is_over(); };
+    waits_ = [=, this, &session] {
+      return (viewer_.has_view() && !viewer_.camera.is_moving() && !session.is_opening()) || is_over();
+    };
   } else if (words[1] == "finished") {
     waits_ = [=, this] { return (viewer_.has_view() && viewer_.is_at_rest()) || is_over(); };
   } else if (words[1] == "error") {

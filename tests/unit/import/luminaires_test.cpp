@@ -138,6 +138,14 @@ TEST_F(GltfLuminaires, that_make_no_sense_are_refused_with_their_place) {
                 .find("expected a number from 0.001 to 1"),
             std::string::npos);
   EXPECT_NE(refusal(R"({"extras":{"luminaire":"none.ies"}})").find("none.ies"), std::string::npos);
+  files_.write("broken.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 0\n");
+  EXPECT_NE(refusal(R"({"extras":{"luminaire":"broken.ies"}})")
+                .find("room.gltf: /nodes/1/extras/luminaire: broken.ies:3: expected"),
+            std::string::npos);
+  files_.write("profile.gltf", gltf(of_extension(R"({"light":0})"), R"({"uri":"broken.ies"})"));
+  EXPECT_NE(files_.refusal("profile.gltf")
+                .find("profile.gltf: /extensions/EXT_lights_ies/lights/0: broken.ies:3: expected"),
+            std::string::npos);
   files_.write("sub/room.gltf", gltf(R"({"extras":{"luminaire":"../lamp.ies"}})", ""));
   EXPECT_NE(files_.refusal("sub/room.gltf").find("lies outside the scene's folder"), std::string::npos);
 }

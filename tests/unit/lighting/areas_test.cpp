@@ -131,6 +131,7 @@ TEST(Areas, names_file_and_line_of_errors) {
   refuses("[[area]]\nkind = \"task\"\n", "a.toml:1: expected a name");
   refuses("[[area]]\nname = \"a\"\nkind = \"desk\"\n", "a.toml:3: kind: expected task, surround");
   refuses("[[area]]\nname = \"a\"\n", "a.toml:1: expected one of corner");
+  refuses("[[area]]\nname = \"a\"\nsurface = \"\"\n", "a.toml:3: surface: expected text between");
   refuses("[[area]]\nname = \"a\"\npolygon = [[0, 0], [1, 0], [1, 1]]\n",
           "height: expected it together with");
   refuses("[[area]]\nname = \"a\"\npolygon = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n",

@@ -269,6 +269,8 @@ TEST_F(DamagedSolution, an_index_out_of_range_is_named) {
   }
 }
 
+int rank_of(const std::string& dataset) { return dataset == "VTKHDF/Points" ? 2 : 1; }
+
 TEST_F(DamagedSolution, a_length_that_the_file_cannot_hold_asks_for_no_memory) {
   make(4);
   constexpr hsize_t huge = hsize_t{1} << 50;
@@ -277,7 +279,7 @@ TEST_F(DamagedSolution, a_length_that_the_file_cannot_hold_asks_for_no_memory) {
     const auto message = complaint_after([&](hid_t file) {
       H5Ldelete(file, name, H5P_DEFAULT);
       const std::array<hsize_t, 2> shape = {huge, 3}, chunk = {1024, 3};
-      const auto rank = name == std::string("VTKHDF/Points") ? 2 : 1;
+      const auto rank = rank_of(name);
       const auto text = H5Tcopy(H5T_C_S1);
       const auto type = name == std::string("VTKHDF/Types") ? H5T_STD_U8LE
                         : rank == 2                         ? H5T_IEEE_F32LE
@@ -290,10 +292,42 @@ TEST_F(DamagedSolution, a_length_that_the_file_cannot_hold_asks_for_no_memory) {
       H5Pclose(list);
       H5Tclose(text);
     });
-    EXPECT_NE(message.find("claims 1125899906842624 rows but only 0 bytes of it are there"),
-              std::string::npos)
-        << message;
+    const std::string expected = name == std::string("VTKHDF/Types")
+                                     ? "'VTKHDF/NumberOfCells' is 4, but the arrays hold 1125899906842624"
+                                 : rank_of(name) == 2
+                                     ? "'VTKHDF/NumberOfPoints' is 6, but the arrays hold 1125899906842624"
+                                     : "claims 1125899906842624 rows but only 0 bytes of it are there";
+    EXPECT_NE(message.find(expected), std::string::npos) << message;
   }
+}
+
+// Zeros that deflate packs by a factor of a thousand.
+TEST_F(DamagedSolution, arrays_that_unpack_to_far_more_than_the_file_are_refused) {
+  make(4);
+  const auto message = complaint_after([&](hid_t file) {
+    const std::array<hsize_t, 2> shape = {3'000'000, 3}, chunk = {1'000'000, 3};
+    const std::vector<float> zeros(9'000'000);
+    const auto group = H5Gcreate2(file, "Luxel/contacts", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const auto list = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(list, 2, chunk.data());
+    H5Pset_deflate(list, 9);
+    const auto space = H5Screate_simple(2, shape.data(), nullptr);
+    const auto set = H5Dcreate2(group, "into", H5T_IEEE_F32LE, space, H5P_DEFAULT, list, H5P_DEFAULT);
+    H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
+    const std::array<hsize_t, 2> pairs = {3'000'000, 2};
+    const auto plane = H5Screate_simple(2, pairs.data(), nullptr);
+    const std::vector<std::uint32_t> corners(6'000'000);
+    const std::array<hsize_t, 2> chunk_of_pairs = {1'000'000, 2};
+    H5Pset_chunk(list, 2, chunk_of_pairs.data());
+    const auto edges = H5Dcreate2(group, "edge", H5T_STD_U32LE, plane, H5P_DEFAULT, list, H5P_DEFAULT);
+    H5Dwrite(edges, H5T_NATIVE_UINT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, corners.data());
+    for (const auto of : {set, edges}) H5Dclose(of);
+    for (const auto of : {space, plane}) H5Sclose(of);
+    H5Pclose(list);
+    H5Gclose(group);
+  });
+  EXPECT_NE(message.find("its arrays claim "), std::string::npos) << message;
+  EXPECT_NE(message.find("more than a file of 0."), std::string::npos) << message;
 }
 
 TEST_F(DamagedSolution, a_link_into_another_file_is_not_followed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/surface/spread_outliers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -17,14 +18,17 @@ namespace {
 constexpr WindowColumns columns{8, 3};
 constexpr std::size_t marked = 300, fifth = 5;  // a receiver and a replicate
 
+Scene floor_scene() {
+  return truth::SceneBuilder()
+      .material("floor", 0.5f, 1.0f, false)
+      .quad({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0})
+      .scene();
+}
+
 class SpreadOutliers : public testing::Test {
  protected:
-  SpreadOutliers()
-      : patches_(make_patches(truth::SceneBuilder()
-                                  .material("floor", 0.5f, 1.0f, false)
-                                  .quad({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0})
-                                  .scene(),
-                              {.max_edge = 0.2f})),
+  explicit SpreadOutliers(const Scene& scene = floor_scene(), float max_edge = 0.2f)
+      : patches_(make_patches(scene, {.max_edge = max_edge})),
         tree_(make_patch_tree(patches_, Context(1))),
         sides_(all_gather_sides(patches_, tree_)),
         sheets_(make_light_sheets(patches_, tree_, sides_)),
@@ -51,7 +55,7 @@ class SpreadOutliers : public testing::Test {
   }
   void spread() {
     const auto grids = make_window_grids(sheet());
-    spread_outliers(sheet(), grids[0], columns, values_,
+    spread_outliers(sheet(), grids, columns, values_,
                     [](std::size_t count, const auto& body) { body(0, count); });
   }
 
@@ -97,6 +101,50 @@ TEST_F(SpreadOutliers, where_few_rays_found_light_nothing_is_judged) {
   const auto before = values_;
   spread();
   EXPECT_EQ(values_, before);
+}
+
+TEST_F(SpreadOutliers, sides_that_no_light_reaches_do_not_hide_one) {
+  for (std::size_t i = marked % 12; i < sheet().size(); i += 12)
+    for (std::uint32_t r = 0; r < columns.replicates; ++r)
+      value(i, r, 0) = 1.0f + 0.3f * (uniform4({1, r, static_cast<std::uint32_t>(i), 0})[0] - 0.5f);
+  value(marked, fifth, 0) = 200.0f;
+  const auto all = power(fifth, 0);
+  spread();
+  EXPECT_LT(value(marked, fifth, 0), 2.0f);
+  EXPECT_NEAR(power(fifth, 0), all, 1e-4 * all);
+}
+
+// Six sides of 0.7 m beside 800 of 0.1 m: windows of nine median patches hold one of the large ones at most.
+Scene floor_with_large_sides() {
+  truth::SceneBuilder builder;
+  builder.material("floor", 0.5f, 1.0f, false);
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 at(0.1f * static_cast<float>(i), 0.1f * static_cast<float>(k), 0.0f);
+      builder.quad(at, at + Vec3(0.1f, 0, 0), at + Vec3(0.1f, 0.1f, 0), at + Vec3(0, 0.1f, 0));
+    }
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 at(2.0f, 0.7f * static_cast<float>(k), 0.0f);
+    builder.quad(at, at + Vec3(0.7f, 0, 0), at + Vec3(0.7f, 0.7f, 0), at + Vec3(0, 0.7f, 0));
+  }
+  return builder.scene();
+}
+
+class SpreadOutliersOfLargeSides : public SpreadOutliers {
+ protected:
+  SpreadOutliersOfLargeSides() : SpreadOutliers(floor_with_large_sides(), 2.0f) {}
+};
+
+TEST_F(SpreadOutliersOfLargeSides, a_side_alone_is_judged_by_those_farther_away) {
+  ASSERT_EQ(sheets_.size(), 1u);
+  fill();
+  const auto large = std::max_element(sheet().area.begin(), sheet().area.end()) - sheet().area.begin();
+  const auto at = static_cast<std::size_t>(large);
+  for (std::size_t b = 0; b < columns.bands; ++b) value(at, fifth, b) *= 200.0f;
+  const auto all = power(fifth, 0);
+  spread();
+  EXPECT_LT(value(at, fifth, 0), 2.0f);
+  EXPECT_NEAR(power(fifth, 0), all, 1e-4 * all);
 }
 
 }  // namespace
