@@ -37,7 +37,8 @@ TEST(Threads, that_cannot_be_started_are_done_without_and_the_bytes_are_the_same
 #ifndef __SANITIZE_ADDRESS__
 TEST(Memory, that_patches_would_need_is_compared_with_what_is_free_before_any_is_made) {
   const auto folder = fresh_folder("no_memory");
-  const auto run = cli::run(folder, "ulimit -v 400000; $LUXEL bake cornell-box.obj --max-edge 0.0008 -o a.ply");
+  const auto run =
+      cli::run(folder, "ulimit -v 400000; $LUXEL bake cornell-box.obj --max-edge 0.0008 -o a.ply");
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_NE(run.err.find("patches, which need about "), std::string::npos) << run.err;
   EXPECT_NE(run.err.find(" m would fit"), std::string::npos) << run.err;

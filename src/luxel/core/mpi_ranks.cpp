@@ -54,19 +54,20 @@ class MpiRanks final : public Ranks {
                   std::span<const std::size_t> sizes) const override {
     const auto places = begins(sizes);
     Wait wait(*this, places.back() - own.size());
-    wait.until_all_are_here();
     if (places.back() <= max_message) {
       const std::vector<int> counts(sizes.begin(), sizes.end());
       const std::vector<int> offsets(places.begin(), places.end() - 1);
       const void* from = own.data() == all.data() + places[rank_] ? MPI_IN_PLACE : own.data();
-      MPI_Allgatherv(from, static_cast<int>(own.size()), MPI_BYTE, all.data(), counts.data(), offsets.data(),
-                     MPI_BYTE, MPI_COMM_WORLD);
+      MPI_Request request = MPI_REQUEST_NULL;
+      MPI_Iallgatherv(from, static_cast<int>(own.size()), MPI_BYTE, all.data(), counts.data(), offsets.data(),
+                      MPI_BYTE, MPI_COMM_WORLD, &request);
+      wait.until_done({&request, 1});
       return;
     }
     for (std::size_t r = 0; r < size_; ++r) {
       auto part = all.subspan(places[r], sizes[r]);
       if (r == rank_ && own.data() != part.data()) std::copy(own.begin(), own.end(), part.begin());
-      broadcast_from(part, static_cast<int>(r));
+      broadcast_from(part, static_cast<int>(r), wait);
     }
   }
 
@@ -105,8 +106,7 @@ class MpiRanks final : public Ranks {
 
   void broadcast(std::span<std::byte> bytes) const override {
     Wait wait(*this, rank_ == 0 ? 0 : bytes.size());
-    wait.until_all_are_here();
-    broadcast_from(bytes, 0);
+    broadcast_from(bytes, 0, wait);
   }
 
   void exchange(std::span<const std::span<const std::byte>> own,
@@ -149,11 +149,6 @@ class MpiRanks final : public Ranks {
         if (!is_done) std::this_thread::yield();
       }
     }
-    void until_all_are_here() {
-      MPI_Request request = MPI_REQUEST_NULL;
-      MPI_Ibarrier(MPI_COMM_WORLD, &request);
-      until_done({&request, 1});
-    }
 
    private:
     Traffic& traffic_;
@@ -189,9 +184,12 @@ class MpiRanks final : public Ranks {
       MPI_Irecv(bytes.data() + i, length(bytes.size(), i), MPI_BYTE, static_cast<int>(from), 0,
                 MPI_COMM_WORLD, &requests.emplace_back());
   }
-  static void broadcast_from(std::span<std::byte> bytes, int from) {
-    for (std::size_t i = 0; i < bytes.size(); i += max_message)
-      MPI_Bcast(bytes.data() + i, length(bytes.size(), i), MPI_BYTE, from, MPI_COMM_WORLD);
+  static void broadcast_from(std::span<std::byte> bytes, int from, Wait& wait) {
+    for (std::size_t i = 0; i < bytes.size(); i += max_message) {
+      MPI_Request request = MPI_REQUEST_NULL;
+      MPI_Ibcast(bytes.data() + i, length(bytes.size(), i), MPI_BYTE, from, MPI_COMM_WORLD, &request);
+      wait.until_done({&request, 1});
+    }
   }
 
   std::size_t rank_ = 0;

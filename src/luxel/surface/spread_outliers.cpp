@@ -41,9 +41,15 @@ class Cells {
     if (std::all_of(inside.begin(), inside.end(), [this](auto i) { return is_judged_[i] != 0; })) return;
     const auto near = receivers_near(cell);
     std::vector<float> all;
-    for (const auto i : near)
-      if (is_lit(i))
-        for (std::size_t r = 0; r < columns_.replicates; ++r) all.push_back(sum_of(i, r));
+    for (const auto i : near) {
+      bool is_lit = false;
+      for (std::size_t r = 0; r < columns_.replicates; ++r) {
+        all.push_back(sum_of(i, r));
+        is_lit = is_lit || all.back() != 0.0f;
+      }
+      // Sides that no light reaches say nothing about the noise of others.
+      if (!is_lit) all.resize(all.size() - columns_.replicates);
+    }
     if (all.size() < min_near * columns_.replicates) return;
     const auto median = quantile(all, 0.5);
     const auto above = reach * (quantile(all, 0.9) - median);
@@ -77,12 +83,6 @@ class Cells {
     float sum = 0.0f;
     for (std::size_t b = 0; b < columns_.bands; ++b) sum += value[b];
     return sum;
-  }
-  // Sides that no light reaches say nothing about the noise of others.
-  bool is_lit(std::uint32_t receiver) const {
-    for (std::size_t r = 0; r < columns_.replicates; ++r)
-      if (sum_of(receiver, r) != 0.0f) return true;
-    return false;
   }
   float* value_of(std::uint32_t receiver, std::size_t replicate) const {
     return values_.data() + receiver * columns_.size() + replicate * columns_.stride();
