@@ -72,7 +72,7 @@ struct RefineReport {
 ///
 /// The patches with the largest estimates are cut in four, a few at a time. The parts gather the light of the
 /// scene as it is known (solve/part_light.h): the cost of a level is that of its parts. When the target seems
-/// reached, the light is solved anew on the mesh, since estimates that decided about cuts are too low where
+/// reached, the light is solved again on the mesh, since estimates that decided about cuts are too low where
 /// they were kept; the refinement ends where the new ones confirm it. With a bound on the cost, only if that
 /// allows it.
 ///

@@ -14,8 +14,8 @@
 #include "luxel/patch/refine_patches.h"
 #include "luxel/solve/cut_patches.h"
 #include "luxel/solve/level_difference.h"
+#include "luxel/solve/mesh_estimate.h"
 #include "luxel/solve/part_light.h"
-#include "luxel/solve/seen_measure.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -25,15 +25,9 @@ constexpr double light_fraction =
     2.0;  // of the mesh error target: error to which each of the two solutions is solved
 // Largest error to which a solution is ever solved, seen and of the power: the same light in most rooms.
 constexpr double poorest_seen = 0.1, poorest_power = 0.03;
-constexpr double ratio = 0.5;  // of squared errors: left by halving a patch where the light jumps
-constexpr double aim = 0.8;    // of the allowed squared error: the target of the next mesh
-// Fraction of the difference that a cut found which counts with the residual of its parts. Measured on
-// Cornell boxes under small lamps, against all patches cut once more: the largest 1 % by this sum have 0.77
-// of the error, by the difference alone 0.66, by the residual alone 0.76; the sum is 0.7 to 1.9 times too
-// small.
-constexpr double carried = 0.1;
+constexpr double aim = 0.8;  // of the allowed squared error: the target of the next mesh
 // By how much errors are too small whose estimates have decided about cuts: where noise made them small they
-// were kept, where it made them large they were replaced. Against the light solved anew: 2.7 and 3.1 in two
+// were kept, where it made them large they were replaced. Against the light solved again: 2.7 and 3.1 in two
 // rooms after 4 and 6 cuts; 0.8 after one.
 constexpr std::size_t selected = 3;
 // Fraction of the estimated error that may stay in uncut patches in one pass, and patches to cut at least:
@@ -105,10 +99,7 @@ class Refinement {
 
   // Ends with a mesh on which no light is solved: its error is the prediction that it was cut by.
   PatchSet end_unseen(RefinedPatches refined) {
-    std::vector<std::size_t> parts_of(squared_.size(), 0);
-    for (const auto parent : refined.parent) ++parts_of[parent];
-    for (std::size_t p = 0; p < squared_.size(); ++p)
-      if (parts_of[p] > 1) squared_[p] *= ratio;
+    estimate_.predict_cut(refined.parent);
     const auto sampling_error = report_.levels.back().sampling_error;
     report_.levels.push_back({refined.patches.size(), mesh_error(), sampling_error, 0});
     now_ = {std::move(refined.patches), {}, 0};
@@ -116,12 +107,12 @@ class Refinement {
   }
 
   double mesh_error() const {
-    return static_cast<double>(std::clamp<std::size_t>(cuts_, 1, selected)) * estimated_error();
+    return static_cast<double>(std::clamp<std::size_t>(cuts_, 1, selected)) * estimate_.error();
   }
 
   // Estimates that can still be confirmed are believed until then.
   bool is_met() const {
-    return (can_look_again() ? estimated_error() : report_.levels.back().mesh_error) <= options_.mesh_error;
+    return (can_look_again() ? estimate_.error() : report_.levels.back().mesh_error) <= options_.mesh_error;
   }
   bool can_look_again() const { return is_within_cost(report_.levels.front().rays); }
 
@@ -129,8 +120,8 @@ class Refinement {
   bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
     double marked = 0.0, all = 0.0;
     for (std::size_t p = 0; p < marks.size(); ++p) {
-      all += std::max(0.0, squared_[p]);
-      if (marks[p] != 0) marked += squared_[p];
+      all += std::max(0.0, estimate_.squared()[p]);
+      if (marks[p] != 0) marked += estimate_.squared()[p];
     }
     return marked > min_gain * all;
   }
@@ -196,13 +187,13 @@ class Refinement {
   bool gather(Level& level, const Tracer& tracer, std::span<const std::uint32_t> parent) {
     const Cut cut{level.patches, tracer, parent};
     const auto on_the_way = [this](const Progress& p) { return tell(p); };
-    const auto error = std::max(options_.mesh_error, estimated_error());
+    const auto error = std::max(options_.mesh_error, estimate_.error());
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.seed = seed_of(i);
       auto& [solution, smooth] = level.answers[i];
       solution = inherited_light(now_.answers[i].solution, cut);
-      const auto rays = rays_of_parts(cut, solution, weights_,
+      const auto rays = rays_of_parts(cut, solution, estimate_.weights(),
                                       error * error / static_cast<double>(side_count(level.patches.size())));
       const auto traced = gather_on_parts(cut, rays, how, solution, context_.with_monitor(on_the_way));
       if (!traced) return false;
@@ -228,8 +219,7 @@ class Refinement {
       coarse[i].smooth = make_smooth_light(now_.patches, coarse[i].solution, options_.smooth, context_);
     }
     auto change = difference_of_levels(now_.patches, coarse, next.patches, next.answers, parent, context_);
-    if (!report_.levels.empty()) keep_of_wholes(change_, parent, bands, change);
-    change_ = std::move(change);
+    estimate_.note_cut(std::move(change), parent, bands);
     if (!report_.levels.empty()) ++cuts_;  // the first cut was decided without light
     now_ = std::move(next);
     estimate(tracer);
@@ -250,79 +240,9 @@ class Refinement {
     return true;
   }
 
-  // What cutting each patch is expected to change: the residual of its light, and some of what the last cut
-  // changed.
   void estimate(const Tracer& tracer) {
-    difference_ = residual_within_patches(now_.patches, now_.answers, context_);
-    for (const bool back : {false, true})
-      for (std::size_t i = 0; i < change_.squared.of(back).size(); ++i) {
-        difference_.squared.of(back)[i] += carried * change_.squared.of(back)[i];
-        difference_.noise.of(back)[i] += carried * change_.noise.of(back)[i];
-      }
-    weigh(tracer);
+    estimate_.look(now_.patches, now_.answers, tracer, options_.light.error_measure, context_);
     note_level();
-  }
-
-  // Patches that were not cut keep what their own cut changed.
-  static void keep_of_wholes(const FieldDifference& known, const std::vector<std::uint32_t>& parent,
-                             std::size_t bands, FieldDifference& difference) {
-    for (std::size_t p = 0; p < parent.size(); ++p) {
-      const bool is_whole =
-          (p == 0 || parent[p - 1] != parent[p]) && (p + 1 == parent.size() || parent[p + 1] != parent[p]);
-      if (!is_whole) continue;
-      for (const bool back : {false, true}) {
-        copy_row(known.squared.of(back), parent[p], difference.squared.of(back), p, bands);
-        copy_row(known.noise.of(back), parent[p], difference.noise.of(back), p, bands);
-      }
-    }
-  }
-
-  static void copy_row(const std::vector<double>& from, std::size_t patch, std::vector<double>& to,
-                       std::size_t part, std::size_t bands) {
-    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(patch * bands), bands,
-                to.begin() + static_cast<std::ptrdiff_t>(part * bands));
-  }
-
-  // Weighs the differences: what each patch adds to the square of the mesh error, and to that of its noise.
-  void weigh(const Tracer& tracer) {
-    weights_ = weights_of_sides(tracer);
-    const auto bands = now_.patches.band_count();
-    squared_.assign(now_.patches.size(), 0.0);
-    noise_.assign(now_.patches.size(), 0.0);
-    for (std::size_t p = 0; p < now_.patches.size(); ++p)
-      for (const bool back : {false, true})
-        for (auto i = p * bands; i < (p + 1) * bands; ++i) {
-          const auto weight = weights_[SideId(p, back).index()];
-          squared_[p] += weight * difference_.squared.of(back)[i];
-          noise_[p] += weight * difference_.noise.of(back)[i];
-        }
-  }
-
-  // [side]: squared error of the whole per squared difference of irradiance, summed over bands.
-  std::vector<double> weights_of_sides(const Tracer& tracer) const {
-    if (options_.light.error_measure == ErrorMeasure::seen) {
-      auto seen = seen_sides(now_.patches, tracer, mean_irradiance(), difference_.squared, context_);
-      if (!seen.importance.empty()) return std::move(seen.importance);
-    }
-    const auto light = squared_light(now_.patches, now_.answers);
-    std::vector<double> weights(side_count(now_.patches.size()), 0.0);
-    for (std::size_t s = 0; s < weights.size(); ++s)
-      weights[s] = light > 0.0 ? static_cast<double>(now_.patches.area[SideId::at(s).patch()]) / light : 0.0;
-    return weights;
-  }
-
-  SideValues mean_irradiance() const {
-    auto mean = now_.answers[0].solution.irradiance;
-    for (const bool back : {false, true})
-      for (std::size_t i = 0; i < mean.of(back).size(); ++i)
-        mean.of(back)[i] = 0.5f * (mean.of(back)[i] + now_.answers[1].solution.irradiance.of(back)[i]);
-    return mean;
-  }
-
-  // Halving leaves the fraction `ratio` of the squared error at most, so what it changes is the rest.
-  double estimated_error() const {
-    const auto sum = std::accumulate(squared_.begin(), squared_.end(), 0.0);
-    return std::sqrt((std::max(0.0, sum) + error_of_sum()) / (1.0 - ratio));
   }
 
   void note_level() {
@@ -336,29 +256,22 @@ class Refinement {
     report_.levels.push_back({now_.patches.size(), mesh_error(), std::sqrt(squared_noise), now_.rays});
   }
 
-  // Standard error of the sum of squared differences. A product of two differences of noise σ has the
-  // standard deviation σ²; noise_ is σ²/2 times a chi-squared variable of one degree of freedom, its mean
-  // square 3/4 σ⁴.
-  double error_of_sum() const {
-    const auto sum = std::inner_product(noise_.begin(), noise_.end(), noise_.begin(), 0.0);
-    return std::sqrt(4.0 / 3.0 * sum);
-  }
-
   // The fewest patches that reduce the error to about the target. Where that would require cutting patches
   // with nearly all of the error, part of it is left to the next mesh, whose estimate is better. Differences
   // that noise can explain are no reason to cut. is_last: no mesh follows the next one.
   std::vector<std::uint8_t> marked_by_difference(bool is_last) const {
+    const auto squared = estimate_.squared(), noise = estimate_.noise();
     std::vector<std::uint32_t> order;
     double left = 0.0;
     for (std::uint32_t p = 0; p < now_.patches.size(); ++p) {
-      if (squared_[p] <= noise_[p]) continue;
+      if (squared[p] <= noise[p]) continue;
       order.push_back(p);
-      left += squared_[p];
+      left += squared[p];
     }
-    sort_by_weight(squared_, order);
+    sort_by_weight(squared, order);
     const auto target =
         options_.mesh_error / static_cast<double>(can_look_again() ? 1 : std::min(selected, cuts_ + 1));
-    const auto aimed = aim * target * target * (1.0 - ratio);
+    const auto aimed = aim * target * target * (1.0 - left_by_halving);
     const auto least = is_last ? left : max_unrefined_fraction * left;
     const auto size = static_cast<double>(now_.patches.size());
     const auto few = static_cast<std::size_t>(
@@ -367,11 +280,11 @@ class Refinement {
     double cut = 0.0;
     std::vector<std::uint8_t> marks(now_.patches.size(), 0);
     for (const auto p : order) {
-      if ((left <= least && count >= few) || left + ratio * cut <= aimed) break;
+      if ((left <= least && count >= few) || left + left_by_halving * cut <= aimed) break;
       marks[p] = 1;
       ++count;
-      left -= squared_[p];
-      cut += squared_[p];
+      left -= squared[p];
+      cut += squared[p];
     }
     return marks;
   }
@@ -383,17 +296,14 @@ class Refinement {
   }
 
   std::optional<RefinedPatches> cut_marked(std::span<const std::uint8_t> marks) const {
-    return cut_within_limit(now_.patches, marks, squared_, options_.max_patches, context_);
+    return cut_within_limit(now_.patches, marks, estimate_.squared(), options_.max_patches, context_);
   }
 
   RefineOptions options_;
   RefineReport& report_;
   const Context& context_;
   Level now_;
-  FieldDifference change_;               // by the cuts that made the current patches
-  FieldDifference difference_;           // expected of the next cut, see estimate()
-  std::vector<double> weights_;          // [side]: see weights_of_sides()
-  std::vector<double> squared_, noise_;  // [patch]: see weigh()
+  MeshEstimate estimate_;  // of the present mesh
   std::uint64_t rays_before_ = 0;
   double allowed_rays_ = 0.0;  // see bound_cost(); 0: unknown, or without a bound
   std::size_t cuts_ = 0;       // decided by the present estimates

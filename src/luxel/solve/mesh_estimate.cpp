@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "luxel/solve/mesh_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "luxel/patch/side.h"
+#include "luxel/solve/seen_measure.h"
+
+namespace luxel {
+namespace {
+
+// Fraction of the difference that a cut found which counts with the residual of its parts. Measured on
+// Cornell boxes under small lamps, against all patches cut once more: the largest 1 % by this sum have 0.77
+// of the error, by the difference alone 0.66, by the residual alone 0.76; the sum is 0.7 to 1.9 times too
+// small.
+constexpr double carried = 0.1;
+
+void copy_row(const std::vector<double>& from, std::size_t patch, std::vector<double>& to, std::size_t part,
+              std::size_t bands) {
+  std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(patch * bands), bands,
+              to.begin() + static_cast<std::ptrdiff_t>(part * bands));
+}
+
+SideValues mean_irradiance(const Answers& answers) {
+  auto mean = answers[0].solution.irradiance;
+  for (const bool back : {false, true})
+    for (std::size_t i = 0; i < mean.of(back).size(); ++i)
+      mean.of(back)[i] = 0.5f * (mean.of(back)[i] + answers[1].solution.irradiance.of(back)[i]);
+  return mean;
+}
+
+}  // namespace
+
+void MeshEstimate::note_cut(FieldDifference change, std::span<const std::uint32_t> parent,
+                            std::size_t bands) {
+  const bool is_first = change_.squared.front.empty();
+  for (std::size_t p = 0; !is_first && p < parent.size(); ++p) {
+    const bool is_whole =
+        (p == 0 || parent[p - 1] != parent[p]) && (p + 1 == parent.size() || parent[p + 1] != parent[p]);
+    if (!is_whole) continue;
+    for (const bool back : {false, true}) {
+      copy_row(change_.squared.of(back), parent[p], change.squared.of(back), p, bands);
+      copy_row(change_.noise.of(back), parent[p], change.noise.of(back), p, bands);
+    }
+  }
+  change_ = std::move(change);
+}
+
+void MeshEstimate::look(const PatchSet& patches, const Answers& answers, const Tracer& tracer,
+                        ErrorMeasure measure, const Context& context) {
+  difference_ = residual_within_patches(patches, answers, context);
+  for (const bool back : {false, true})
+    for (std::size_t i = 0; i < change_.squared.of(back).size(); ++i) {
+      difference_.squared.of(back)[i] += carried * change_.squared.of(back)[i];
+      difference_.noise.of(back)[i] += carried * change_.noise.of(back)[i];
+    }
+  weights_.clear();
+  if (measure == ErrorMeasure::seen)
+    weights_ = seen_sides(patches, tracer, mean_irradiance(answers), difference_.squared, context).importance;
+  if (weights_.empty()) {
+    const auto light = squared_light(patches, answers);
+    weights_.assign(side_count(patches.size()), 0.0);
+    for (std::size_t s = 0; light > 0.0 && s < weights_.size(); ++s)
+      weights_[s] = static_cast<double>(patches.area[SideId::at(s).patch()]) / light;
+  }
+  weigh(patches.band_count());
+}
+
+void MeshEstimate::weigh(std::size_t bands) {
+  const auto patches = weights_.size() / 2;
+  squared_.assign(patches, 0.0);
+  noise_.assign(patches, 0.0);
+  for (std::size_t p = 0; p < patches; ++p)
+    for (const bool back : {false, true})
+      for (auto i = p * bands; i < (p + 1) * bands; ++i) {
+        const auto weight = weights_[SideId(p, back).index()];
+        squared_[p] += weight * difference_.squared.of(back)[i];
+        noise_[p] += weight * difference_.noise.of(back)[i];
+      }
+}
+
+void MeshEstimate::predict_cut(std::span<const std::uint32_t> parent) {
+  std::vector<std::size_t> parts_of(squared_.size(), 0);
+  for (const auto whole : parent) ++parts_of[whole];
+  for (std::size_t p = 0; p < squared_.size(); ++p)
+    if (parts_of[p] > 1) squared_[p] *= left_by_halving;
+}
+
+// The standard deviation of a product of two differences of noise σ is σ²; noise_ is σ²/2 times a chi-squared
+// variable of one degree of freedom, its mean square 3/4 σ⁴. What halving changes is what it does not leave.
+double MeshEstimate::error() const {
+  const auto sum = std::accumulate(squared_.begin(), squared_.end(), 0.0);
+  const auto squares = std::inner_product(noise_.begin(), noise_.end(), noise_.begin(), 0.0);
+  return std::sqrt((std::max(0.0, sum) + std::sqrt(4.0 / 3.0 * squares)) / (1.0 - left_by_halving));
+}
+
+}  // namespace luxel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "luxel/core/context.h"
+#include "luxel/patch/patch_set.h"
+#include "luxel/solve/level_difference.h"
+#include "luxel/solve/sampled.h"
+#include "luxel/trace/tracer.h"
+
+namespace luxel {
+
+// Of a squared error: what halving a patch leaves where the light jumps. Where it is smooth, less.
+constexpr double left_by_halving = 0.5;
+
+// Estimates the error that the size of patches leaves in the reconstructed light, and how much of it each
+// patch has: see refine_to_light(). One object follows a mesh from cut to cut.
+class MeshEstimate {
+ public:
+  // Takes what a cut changed in the field of the parts; patches that were not cut keep what their own cut had
+  // changed. parent: [part].
+  void note_cut(FieldDifference change, std::span<const std::uint32_t> parent, std::size_t bands);
+
+  // Estimates what cutting each patch would change: the residual of its light, and some of what its own cut
+  // changed. Weighs the sides as refine_to_light() says.
+  void look(const PatchSet& patches, const Answers& answers, const Tracer& tracer, ErrorMeasure measure,
+            const Context& context);
+
+  // After a cut on which no light is found, for error(): the parts have what halving leaves.
+  void predict_cut(std::span<const std::uint32_t> parent);
+
+  double error() const;  // of the mesh; high by a standard error of the sum of squares
+  // [patch]: what each adds to the square of the error, twice what is left by cutting it, and to that of its
+  // noise. The first is unbiased as long as it decides nothing, so below 0 in places.
+  std::span<const double> squared() const { return squared_; }
+  std::span<const double> noise() const { return noise_; }
+  // [side]: squared error of the whole per squared difference of irradiance, summed over bands, (m²/W)².
+  std::span<const double> weights() const { return weights_; }
+
+ private:
+  void weigh(std::size_t bands);
+
+  FieldDifference change_;      // by the cuts that made the patches
+  FieldDifference difference_;  // expected of the next cut
+  std::vector<double> weights_;
+  std::vector<double> squared_, noise_;
+};
+
+}  // namespace luxel
