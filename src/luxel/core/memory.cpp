@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #if defined(__GLIBC__)
@@ -98,6 +99,10 @@ std::uint64_t left_by_address_space(const fs::path& root) {
 }
 
 }  // namespace
+
+std::string needed_of_free(double needed, double free) {
+  return fmt::format("{:.0f} MB of memory, of which {:.0f} are free", 1e-6 * needed, 1e-6 * free);
+}
 
 std::uint64_t free_memory(const fs::path& root) {
   const auto free = kibibytes(root / "proc/meminfo", "MemAvailable:");

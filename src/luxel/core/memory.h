@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace luxel {
 
@@ -10,6 +11,9 @@ namespace luxel {
 // the limits of the process (its control groups, as containers and Slurm set them, and `ulimit -v`). 0 where
 // the system does not report it. root: where /proc and /sys are found.
 std::uint64_t free_memory(const std::filesystem::path& root = "/");
+
+// Returns "12 MB of memory, of which 10 are free". Both in bytes.
+std::string needed_of_free(double needed, double free);
 
 // Returns the bytes of main memory that this process holds now; 0 where the system does not report it.
 std::uint64_t resident_memory();

@@ -75,8 +75,7 @@ void check_memory(const std::filesystem::path& path) {
   const auto free = static_cast<double>(free_memory());
   if (const auto needed = bytes_per_byte * static_cast<double>(size); !error && free > 0.0 && needed > free)
     throw InputError(path.string(),
-                     fmt::format("reading it needs at least {:.0f} MB of memory, of which {:.0f} are free",
-                                 1e-6 * needed, 1e-6 * free));
+                     fmt::format("reading it needs at least {}", needed_of_free(needed, free)));
 }
 
 const Reader& reader_of(const std::filesystem::path& path) {

@@ -128,9 +128,7 @@ std::optional<LackOfMemory> lack_of_memory(double patches) {
   const auto needed = bytes_per_patch * patches;
   if (!(free > 0.0) || needed <= free) return {};
   return LackOfMemory{
-      fmt::format("about {:.2g} patches, which need about {:.0f} MB of memory, of which {:.0f} "
-                  "are free",
-                  patches, 1e-6 * needed, 1e-6 * free),
+      fmt::format("about {:.2g} patches, which need about {}", patches, needed_of_free(needed, free)),
       free / bytes_per_patch};
 }
 

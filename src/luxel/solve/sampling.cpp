@@ -248,14 +248,14 @@ bool Sampling::take_direct_part(std::span<const std::uint8_t> doublings, int par
 
 // Hits can be traced again, but stored light cannot: memory beyond the limit would end the process.
 void Sampling::check_memory(std::uint64_t bytes, std::uint64_t held) const {
-  constexpr std::uint64_t mebibyte = 1u << 20;
   const auto free = free_memory();
   if (free == 0 || bytes <= free + held) return;
   throw with_hints(
       InputError(fmt::format(
-          "the light of {} patch sides in {} bands needs about {} MiB of memory, of which {} are free: "
-          "make fewer patches with a longer edge, or take fewer bands",
-          hits_->sides().size(), patches_.band_count(), bytes / mebibyte, free / mebibyte)),
+          "the light of {} patch sides in {} bands needs about {}: make fewer patches with a longer edge, or "
+          "take fewer bands",
+          hits_->sides().size(), patches_.band_count(),
+          needed_of_free(static_cast<double>(bytes), static_cast<double>(free)))),
       {{Setting::max_edge}, {Setting::bands}});
 }
 

@@ -62,7 +62,9 @@ class Cells {
       const auto largest = *std::max_element(own.begin(), own.end());
       if (!(largest > median + above)) continue;
       const auto own_median = quantile(own, 0.5);
-      const auto bound = own_median > median + above ? above_own * own_median : median + above;
+      // Below zero only by noise: nothing is left of an outlier then.
+      const auto bound =
+          own_median > median + above ? above_own * own_median : std::max(0.0f, median + above);
       for (std::size_t r = 0; r < own.size(); ++r)
         if (const auto value = sum_of(i, r); value > bound) outliers_[cell].push_back({i, r, bound / value});
     }

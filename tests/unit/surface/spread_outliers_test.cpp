@@ -114,6 +114,16 @@ TEST_F(SpreadOutliers, sides_that_no_light_reaches_do_not_hide_one) {
   EXPECT_NEAR(power(fifth, 0), all, 1e-4 * all);
 }
 
+TEST_F(SpreadOutliers, where_most_values_are_below_zero_an_outlier_gives_all_and_no_more) {
+  fill();
+  for (auto& v : values_) v -= 5.0f;
+  for (std::size_t b = 0; b < columns.bands; ++b) value(marked, fifth, b) = 200.0f;
+  const auto red = power(fifth, 0);
+  spread();
+  EXPECT_EQ(value(marked, fifth, 0), 0.0f);
+  EXPECT_NEAR(power(fifth, 0), red, 1e-4 * std::abs(red));
+}
+
 // Six sides of 0.7 m beside 800 of 0.1 m: windows of nine median patches hold one of the large ones at most.
 Scene floor_with_large_sides() {
   truth::SceneBuilder builder;
