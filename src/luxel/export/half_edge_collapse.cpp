@@ -125,6 +125,7 @@ double HalfEdgeCollapse::try_collapse(std::uint32_t v, std::uint32_t u,
     if (!cover(corners_[p][k], p, k, largest)) return impossible;
     for (const auto corner : removed_[p])
       if (!cover(corner, p, k, largest)) return impossible;
+    if (!cover_middles(p, k, largest)) return impossible;
     if (cost() >= best) return impossible;
   }
   return cost();
@@ -176,28 +177,49 @@ void HalfEdgeCollapse::add_area(const Areas& more) {
   areas_.push_back(more);
 }
 
-// Finds the new triangle that shows a corner which was in a patch whose corner k is removed; raises `largest`
-// to the error there. False where the error is too large.
-bool HalfEdgeCollapse::cover(CornerId corner, std::uint32_t patch, std::uint32_t k, float& largest) {
+std::size_t HalfEdgeCollapse::covering(std::uint32_t patch, std::uint32_t k, const Vec3d& at,
+                                       Vec3& weights) const {
   const auto triangle = patches_.triangle[patch];
   const auto sheet = smooth(corners_[patch][k]);
   auto inside = outside;
-  Covered covered{corner, triangles_.size()};
-  Vec3 weights(0.0f);
+  std::size_t found = none;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const auto& t = triangles_[i];
     if (t.triangle != triangle || t.sheet != sheet) continue;
-    const auto w = weights_in(t, place(corner));
+    const auto w = weights_in(t, at);
     const auto least = std::min({w.x, w.y, w.z});
     if (!(least > inside)) continue;
     inside = least;
-    covered.by = i;
+    found = i;
     weights = Vec3(w);
   }
-  if (covered.by == triangles_.size()) return false;
-  largest = std::max(largest, displayed_.error(corner, corners_of(triangles_[covered.by]), weights));
-  covered_.push_back(covered);
+  return found;
+}
+
+// Finds the new triangle that shows a corner which was in a patch whose corner k is removed; raises `largest`
+// to the error there. False where the error is too large.
+bool HalfEdgeCollapse::cover(CornerId corner, std::uint32_t patch, std::uint32_t k, float& largest) {
+  Vec3 weights(0.0f);
+  const auto by = covering(patch, k, place(corner), weights);
+  if (by == none) return false;
+  largest = std::max(largest, displayed_.error(corner, corners_of(triangles_[by]), weights));
+  covered_.push_back({corner, by});
   return largest <= 1.0f;
+}
+
+// The same for the middles of the two edges of a patch that end at its corner k: where an edge turns, the
+// light between vertices changes as well.
+bool HalfEdgeCollapse::cover_middles(std::uint32_t patch, std::uint32_t k, float& largest) const {
+  const auto removed = corners_[patch][k];
+  for (std::uint32_t j = 1; j < 3; ++j) {
+    const auto other = corners_[patch][(k + j) % 3];
+    Vec3 weights(0.0f);
+    const auto by = covering(patch, k, 0.5 * (place(removed) + place(other)), weights);
+    if (by == none) return false;
+    largest = std::max(largest, displayed_.middle_error(removed, other, corners_of(triangles_[by]), weights));
+    if (largest > 1.0f) return false;
+  }
+  return true;
 }
 
 void HalfEdgeCollapse::apply(std::uint32_t v, const std::vector<std::uint32_t>& star) {

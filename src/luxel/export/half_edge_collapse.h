@@ -61,7 +61,10 @@ class HalfEdgeCollapse {
   double try_collapse(std::uint32_t v, std::uint32_t u, const std::vector<std::uint32_t>& star, double best);
   bool make_triangles(std::uint32_t v, std::uint32_t u, const std::vector<std::uint32_t>& star);
   void add_area(const Areas& more);
+  // The new triangle of the patch's input triangle and sheet at a place; none: there is none.
+  std::size_t covering(std::uint32_t patch, std::uint32_t k, const Vec3d& at, Vec3& weights) const;
   bool cover(CornerId corner, std::uint32_t patch, std::uint32_t k, float& largest);
+  bool cover_middles(std::uint32_t patch, std::uint32_t k, float& largest) const;
   void apply(std::uint32_t v, const std::vector<std::uint32_t>& star);
 
   double signed_area(std::uint32_t patch, const std::array<CornerId, 3>& corners) const;

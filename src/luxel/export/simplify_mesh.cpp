@@ -55,26 +55,31 @@ PatchSet remaining_patches(const PatchSet& patches, const HalfEdgeCollapse& coll
 }
 
 // Per side, the largest values of the patches that each one replaces: a side is lit where any of them was.
+// Hidden backs are dark.
 Solution remaining_solution(const PatchSet& patches, const Solution& solution,
-                            const HalfEdgeCollapse& collapse, const std::vector<std::uint32_t>& remaining) {
+                            const HalfEdgeCollapse& collapse, const std::vector<std::uint32_t>& remaining,
+                            const std::vector<std::uint8_t>& hidden_back) {
   const auto bands = patches.band_count();
   Solution result;
   result.bands = solution.bands;
   result.provenance = solution.provenance;
-  const auto rows = [&](const std::vector<float>& values) {
+  const auto rows = [&](const std::vector<float>& values, bool back) {
+    const auto of = [&](std::size_t p, std::size_t b) {
+      return back && !hidden_back.empty() && hidden_back[p] != 0 ? 0.0f : values[p * bands + b];
+    };
     std::vector<float> reduced;
     reduced.reserve(remaining.size() * bands);
     for (const auto p : remaining)
       for (std::size_t b = 0; b < bands; ++b) {
-        auto value = values[p * bands + b];
-        for (const auto q : collapse.replaced_by(p)) value = std::max(value, values[q * bands + b]);
+        auto value = of(p, b);
+        for (const auto q : collapse.replaced_by(p)) value = std::max(value, of(q, b));
         reduced.push_back(value);
       }
     return reduced;
   };
   for (const bool back : {false, true}) {
-    result.irradiance.of(back) = rows(solution.irradiance.of(back));
-    result.radiosity.of(back) = rows(solution.radiosity.of(back));
+    result.irradiance.of(back) = rows(solution.irradiance.of(back), back);
+    result.radiosity.of(back) = rows(solution.radiosity.of(back), back);
   }
   return result;
 }
@@ -83,7 +88,7 @@ Solution remaining_solution(const PatchSet& patches, const Solution& solution,
 
 SimplifiedMesh simplify_mesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
                              const ToneCurve& curve, const SimplifyOptions& options) {
-  const DisplayedCorners displayed(patches, solution, light, curve, options.max_error);
+  const DisplayedCorners displayed(patches, solution, light, curve, options.max_error, options.hidden);
   std::vector<bool> stays(patches.size(), false);
   if (options.keeps_textured_patches)
     for (std::size_t p = 0; p < patches.size(); ++p) stays[p] = patches.material_of(p).textures.any();
@@ -93,7 +98,8 @@ SimplifiedMesh simplify_mesh(const PatchSet& patches, const Solution& solution, 
   for (std::uint32_t p = 0; p < patches.size(); ++p)
     if (!collapse.is_gone(p)) remaining.push_back(p);
   SimplifiedMesh result{remaining_patches(patches, collapse, remaining),
-                        remaining_solution(patches, solution, collapse, remaining), light};
+                        remaining_solution(patches, solution, collapse, remaining, options.hidden.back),
+                        light};
   result.light.corners.clear();
   for (const auto p : remaining) {
     const auto& corners = collapse.corners(p);

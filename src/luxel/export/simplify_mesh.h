@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/side.h"
 #include "luxel/solution/solution.h"
 #include "luxel/surface/smooth_light.h"
 
@@ -14,6 +17,8 @@ struct SimplifyOptions {
   float max_error = 0.75f / 255.0f;
   // Patches with textures stay, for meshes that show textures by the means of patches.
   bool keeps_textured_patches = false;
+  // Sides whose light is not shown, see hidden_sides(); empty: none. A hidden back becomes dark.
+  FrontAndBack<std::uint8_t> hidden = {};
 };
 
 // A mesh that shows the same light as another, with fewer triangles.
@@ -27,7 +32,8 @@ struct SimplifiedMesh {
 // displays the same colour, by half-edge collapses (Hoppe et al., Mesh Optimization, SIGGRAPH 1993). Patches
 // merge only within one input triangle, so surfaces, edges, texture coordinates and borders of materials
 // stay; neighbours stay joined, and lines at which the light jumps stay. Every removed vertex is compared
-// with the triangle that covers it to the end, so errors do not accumulate. Both sides of a patch count where
+// with the triangle that covers it to the end, so errors there do not accumulate; the middles of removed
+// edges, with the mesh before. Both sides of a patch count where
 // both are lit.
 //
 // curve: the tone curve of the display. Cost: about 5 us per vertex of the patches, on one thread. The result

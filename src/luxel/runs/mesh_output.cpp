@@ -13,6 +13,7 @@
 #include "luxel/import/is_gltf.h"
 #include "luxel/render/radiance_pages.h"
 #include "luxel/runs/light_pages.h"
+#include "luxel/surface/hidden_sides.h"
 #include "luxel/surface/vertex_fit.h"
 
 namespace luxel {
@@ -48,12 +49,11 @@ GlbDone write_on_pages(const std::string& output, const RoundTripInput& input, c
 // The mesh that is written: without the vertices that its light does not need, if the settings have it so,
 // and without T-junctions. tone becomes that of the whole light: the mesh alone would be exposed otherwise.
 SimplifiedMesh displayed_mesh(const Baked& baked, const SmoothLight& light, const MeshSettings& settings,
-                              bool keeps_textured_patches, ToneOptions& tone) {
+                              const SimplifyOptions& how, ToneOptions& tone) {
   const auto curve = curve_for(baked.patches, baked.solution, tone);
   tone.scale = curve.scale;
   tone.exposure = 0.0f;
-  auto mesh = settings.simplify ? simplify_mesh(baked.patches, baked.solution, light, curve,
-                                                {.keeps_textured_patches = keeps_textured_patches})
+  auto mesh = settings.simplify ? simplify_mesh(baked.patches, baked.solution, light, curve, how)
                                 : SimplifiedMesh{baked.patches, baked.solution, light};
   close_t_junctions(mesh);
   return mesh;
@@ -89,11 +89,18 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
                      "has those of the scene's file",
                      output));
   const auto up = up_of(look, baked.patches);
+  const auto hidden = [&]() -> FrontAndBack<std::uint8_t> {
+    if (!mesh.simplify) return {};
+    std::optional<Tracer> own;
+    const auto& rays = tracer ? *tracer : own.emplace(baked.patches, place.context);
+    return hidden_sides(baked.patches, baked.solution, rays, place.context);
+  };
   const bool keeps =
       wish.scene && (mesh.keep_topology || is_gltf(wish.scene->source) || !wish.scene->textures.empty());
   if (!keeps && !mesh.on_pages()) {
     auto tone = look.tone;
-    const auto shown = displayed_mesh(baked, *light, mesh, true, tone);
+    const auto shown =
+        displayed_mesh(baked, *light, mesh, {.keeps_textured_patches = true, .hidden = hidden()}, tone);
     export_glb(output, shown.patches, shown.solution, shown.light, up,
                {.tone = tone, .program = mesh.program, .compression = mesh.compression});
     return {};
@@ -109,7 +116,7 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
       write_uncut(output, input, *light, options, place.reporter);
       return {};
     }
-    const auto shown = displayed_mesh(baked, *light, mesh, false, options.tone);
+    const auto shown = displayed_mesh(baked, *light, mesh, {.hidden = hidden()}, options.tone);
     export_round_trip_cut(output, {input.scene, shown.patches, shown.solution}, shown.light, options);
     return {};
   };

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "luxel/core/address.h"
 #include "luxel/core/barycentric.h"
 #include "luxel/core/triangle.h"
 #include "luxel/export/close_t_junctions.h"
@@ -82,6 +83,27 @@ float code_at(const Lit& lit, std::uint32_t smooth) {
   return curve(in_gamut(radiance_of(lit.patches.materials[0], false, irradiance, colours))).g;
 }
 
+// Backs with a shadow that nobody sees.
+TEST(SimplifyMesh, hidden_backs_need_no_triangles_and_are_dark) {
+  auto lit = lit_by(fine_corner(), [](const Vec3&) { return 1.0f; });
+  for (std::size_t p = 0; p < lit.patches.size(); ++p)
+    for (std::size_t b = 0; b < 3; ++b)
+      lit.solution.irradiance.back[3 * p + b] = shadow(lit.patches.centroid(p));
+  lit.light.irradiance.back = lit.light.irradiance.front;
+  for (std::size_t i = 0; i < lit.light.size(); ++i)
+    for (std::size_t b = 0; b < 3; ++b)
+      lit.light.irradiance.back[3 * i + b] = shadow(lit.patches.vertices[lit.light.vertex[i]]);
+  const auto seen = simplify_mesh(lit.patches, lit.solution, lit.light, curve);
+  EXPECT_GT(seen.patches.size(), 100u);
+  EXPECT_GT(seen.solution.irradiance.back[0], 0.0f);
+  SimplifyOptions options;
+  options.hidden.back.assign(lit.patches.size(), 1);
+  const auto hidden = simplify_mesh(lit.patches, lit.solution, lit.light, curve, options);
+  EXPECT_EQ(hidden.patches.size(), 4u);
+  EXPECT_EQ(hidden.solution.irradiance.back, std::vector<float>(12, 0.0f));
+  EXPECT_EQ(hidden.solution.irradiance.front, std::vector<float>(12, 1.0f));
+}
+
 TEST(SimplifyMesh, linear_light_on_a_wall_needs_the_triangles_of_the_file_alone) {
   const auto lit = lit_by(fine_corner(), [](const Vec3& p) { return 1.0f + 0.25f * p.x + 0.125f * p.y; });
   ASSERT_GT(lit.patches.size(), 1000u);
@@ -90,36 +112,65 @@ TEST(SimplifyMesh, linear_light_on_a_wall_needs_the_triangles_of_the_file_alone)
   EXPECT_EQ(simple.patches.triangle, (std::vector<std::uint32_t>{0, 1, 2, 3}));
 }
 
+// Difference of what is displayed at a place of an input triangle from a linear value: the smallest over the
+// patches that meet there.
+double difference_at(const SimplifiedMesh& simple, std::uint32_t triangle, const Vec3& at, float was) {
+  const Lit after{simple.patches, simple.solution, simple.light};
+  double smallest = 1.0;
+  for (std::size_t q = 0; q < simple.patches.size(); ++q) {
+    if (simple.patches.triangle[q] != triangle) continue;
+    const auto w = barycentric(simple.patches.points(q), at);
+    if (std::min({w.x, w.y, w.z}) < -1e-4) continue;
+    double shown = 0.0;
+    for (int c = 0; c < 3; ++c)
+      shown +=
+          w[c] * static_cast<double>(code_at(after, simple.light.corners[q][static_cast<std::size_t>(c)]));
+    const auto off = srgb_encode(static_cast<float>(shown)) - srgb_encode(was);
+    smallest = std::min(smallest, std::abs(static_cast<double>(off)));
+  }
+  return smallest;
+}
+
 TEST(SimplifyMesh, every_vertex_is_displayed_within_the_error_asked) {
   const auto lit = lit_by(fine_corner(), shadow);
   for (const float codes : {0.75f, 3.0f}) {
     const auto simple =
         simplify_mesh(lit.patches, lit.solution, lit.light, curve, {.max_error = codes / 255.0f});
     EXPECT_LT(simple.patches.size(), (codes < 1.0f ? 0.6 : 0.3) * static_cast<double>(lit.patches.size()));
-    const Lit after{simple.patches, simple.solution, simple.light};
     double largest = 0.0;
     for (std::size_t p = 0; p < lit.patches.size(); ++p)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto at = lit.patches.vertices[lit.patches.corners[p][k]];
-        double smallest = 1.0;  // over the new patches that meet there
-        for (std::size_t q = 0; q < simple.patches.size(); ++q) {
-          if (simple.patches.triangle[q] != lit.patches.triangle[p]) continue;
-          const auto w = barycentric(simple.patches.points(q), at);
-          if (std::min({w.x, w.y, w.z}) < -1e-4) continue;
-          double shown = 0.0;
-          for (int c = 0; c < 3; ++c)
-            shown += w[c] * static_cast<double>(
-                                code_at(after, simple.light.corners[q][static_cast<std::size_t>(c)]));
-          const auto was = srgb_encode(code_at(lit, lit.light.corners[p][k]));
-          smallest =
-              std::min(smallest, std::abs(static_cast<double>(srgb_encode(static_cast<float>(shown)) - was)));
-        }
-        largest = std::max(largest, smallest);
-      }
+      for (std::size_t k = 0; k < 3; ++k)
+        largest = std::max(largest, difference_at(simple, lit.patches.triangle[p],
+                                                  lit.patches.vertices[lit.patches.corners[p][k]],
+                                                  code_at(lit, lit.light.corners[p][k])));
     // The error is measured by the slope of the encoding at the vertex, which changes over a code by a
     // hundredth.
     EXPECT_LE(255.0 * largest, 1.02 * static_cast<double>(codes));
     EXPECT_GT(largest, 0.0);
+  }
+}
+
+// Light that jumps from vertex to vertex, with pairs of vertices so close that one says all about the other:
+// where such a one goes, edges turn.
+TEST(SimplifyMesh, between_vertices_the_error_is_small_too) {
+  Scene scene = corner_of_a_room();
+  auto patches = make_patches(scene, {.max_edge = 0.3f});
+  const auto value = [](const Vec3& at) {
+    const auto cell = [](float x) { return static_cast<std::uint32_t>(std::lround(x / 0.3f)); };
+    return 0.5f +
+           2.0f * uniform4({.seed = 3, .step = cell(at.y), .element = cell(at.x), .sample = cell(at.z)})[0];
+  };
+  const auto lit = lit_by(std::move(patches), value);
+  const auto simple = simplify_mesh(lit.patches, lit.solution, lit.light, curve);
+  EXPECT_LT(simple.patches.size(), lit.patches.size());
+  for (std::size_t p = 0; p < lit.patches.size(); ++p) {
+    const auto q = lit.patches.points(p);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto next = (k + 1) % 3;
+      const auto was =
+          0.5f * (code_at(lit, lit.light.corners[p][k]) + code_at(lit, lit.light.corners[p][next]));
+      EXPECT_LT(255.0 * difference_at(simple, lit.patches.triangle[p], 0.5f * (q[k] + q[next]), was), 1.5);
+    }
   }
 }
 
