@@ -15,10 +15,10 @@ namespace luxel {
 namespace {
 
 // [side]: neither lit nor shining. Sides that absorb all light and are not drawn do not count.
-std::vector<std::uint8_t> dark_sides(const PatchSet& patches, const Solution& solution) {
+std::vector<std::uint8_t> unlit_sides(const PatchSet& patches, const Solution& solution) {
   const auto bands = patches.band_count();
-  const auto dark = hidden_irradiance(patches, solution);
-  std::vector<std::uint8_t> is_dark(side_count(patches.size()), 0);
+  const auto hardly_lit = hidden_irradiance(patches, solution);
+  std::vector<std::uint8_t> is_unlit(side_count(patches.size()), 0);
   for (std::uint32_t p = 0; p < patches.size(); ++p)
     for (const bool back : {false, true}) {
       if (back && !patches.material_of(p).two_sided) continue;
@@ -27,15 +27,15 @@ std::vector<std::uint8_t> dark_sides(const PatchSet& patches, const Solution& so
         irradiance += static_cast<double>(solution.irradiance.of(back)[p * bands + b]);
         if (!back) emittance += static_cast<double>(patches.emittance(p, b));
       }
-      is_dark[SideId(p, back).index()] = irradiance <= dark && emittance == 0.0 ? 1 : 0;
+      is_unlit[SideId(p, back).index()] = irradiance <= hardly_lit && emittance == 0.0 ? 1 : 0;
     }
-  return is_dark;
+  return is_unlit;
 }
 
-// Sets of dark sides that continue into each other across edges, whichever side the winding calls them. An
+// Sets of unlit sides that continue into each other across edges, whichever side the winding calls them. An
 // edge at which solids touch joins nothing: there the inside of one would be joined to the outside of
 // another.
-DisjointSets joined_sides(const PatchSet& patches, const std::vector<std::uint8_t>& is_dark) {
+DisjointSets joined_sides(const PatchSet& patches, const std::vector<std::uint8_t>& is_unlit) {
   struct Edge {
     std::uint32_t low, high, patch;
     bool rises;  // from low to high, as the patch is wound
@@ -49,7 +49,7 @@ DisjointSets joined_sides(const PatchSet& patches, const std::vector<std::uint8_
     }
   const auto ends = [](const Edge& e) { return std::pair(e.low, e.high); };
   std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) { return ends(a) < ends(b); });
-  DisjointSets joined(is_dark.size());
+  DisjointSets joined(is_unlit.size());
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     while (end < edges.size() && ends(edges[end]) == ends(edges[i])) ++end;
     if (end - i != 2) continue;
@@ -57,7 +57,7 @@ DisjointSets joined_sides(const PatchSet& patches, const std::vector<std::uint8_
     for (const bool back : {false, true}) {
       const auto one = SideId(a.patch, back).index();
       const auto other = SideId(b.patch, back != (a.rises == b.rises)).index();
-      if (is_dark[one] != 0 && is_dark[other] != 0)
+      if (is_unlit[one] != 0 && is_unlit[other] != 0)
         joined.join(static_cast<std::uint32_t>(one), static_cast<std::uint32_t>(other));
     }
   }
@@ -74,14 +74,14 @@ FrontAndBack<std::uint8_t> hidden_sides(const PatchSet& patches, const Solution&
   const auto sets = place_views(patches, tracer, context);
   if (sets.empty()) return hidden;
 
-  const auto is_dark = dark_sides(patches, solution);
-  auto joined = joined_sides(patches, is_dark);
-  std::vector<std::uint8_t> is_seen(is_dark.size(), 0);  // [side that stands for its set]
+  const auto is_unlit = unlit_sides(patches, solution);
+  auto joined = joined_sides(patches, is_unlit);
+  std::vector<std::uint8_t> is_seen(is_unlit.size(), 0);  // [side that stands for its set]
   for (const auto* views : {&sets.dealing, &sets.stating})
     for (const auto side : views->sides)
-      if (is_dark[side.index()] != 0) is_seen[joined.of(static_cast<std::uint32_t>(side.index()))] = 1;
-  for (std::uint32_t s = 0; s < is_dark.size(); ++s)
-    if (is_dark[s] != 0 && is_seen[joined.of(s)] == 0) hidden.of(SideId::at(s))[SideId::at(s).patch()] = 1;
+      if (is_unlit[side.index()] != 0) is_seen[joined.of(static_cast<std::uint32_t>(side.index()))] = 1;
+  for (std::uint32_t s = 0; s < is_unlit.size(); ++s)
+    if (is_unlit[s] != 0 && is_seen[joined.of(s)] == 0) hidden.of(SideId::at(s))[SideId::at(s).patch()] = 1;
   return hidden;
 }
 
