@@ -158,7 +158,7 @@ Page page_of(const PatchSet& patches, const Solution& solution, const SmoothLigh
              std::span<const GroupLight> groups, const PageOptions& options) {
   const auto colours = patches.colours();
   const PageTextures textures(patches);
-  const auto mesh = make_page_mesh(patches, solution, light, textures);
+  const auto mesh = make_page_mesh(patches, solution, light, textures, options.hidden_backs);
   const auto lit = make_page_light(patches, mesh, light, groups);
   const auto surface_colours = make_page_colours(patches, mesh);
   const auto errors = make_page_errors(patches, mesh, solution, groups);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "luxel/image/tone.h"
 #include "luxel/patch/patch_set.h"
@@ -23,6 +25,7 @@ struct PageOptions {
   ToneOptions tone;   // the page begins with it; reinhard_local is shown as reinhard
   std::string title;  // of the page
   Camera camera;      // where the page begins; counted from the patches' origin, up is the scene's
+  std::vector<std::uint8_t> hidden_backs = {};  // [patch], 1 where it need not be drawn; empty: none
 };
 
 // One HTML file that shows the lit scene in any browser with WebGL 2, from disk, without a network: to orbit
@@ -36,7 +39,7 @@ struct PageOptions {
 //
 // The same input gives the same bytes (from one version of zlib). Whole or not at all; throws DeviceError.
 // Throws DeviceError where this program was built without Node.js and so has no page, MismatchError where the
-// light is not of these patches or has no colour. Cost: linear; 0.6 MB and some 15 bytes per patch
+// light is not of these patches or has no colour. Cost: linear; 0.6 MB and 10 to 15 bytes per patch
 // in the file.
 void export_page(const std::filesystem::path& path, const PatchSet& patches, const Solution& solution,
                  const SmoothLight& light, std::span<const GroupLight> groups, const PageOptions& options);

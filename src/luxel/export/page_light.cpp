@@ -96,6 +96,9 @@ PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const S
   const auto colours = patches.colours();
   const RatioLight shared(light, groups, patches.band_count());
   const auto ratios = ratios_of(patches, mesh);
+  std::vector<std::uint8_t> shows_back(mesh.vertices.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const auto v : mesh.triangles[t]) shows_back[v] |= mesh.back_is_lit[t];
   std::vector<float> values;
   for (std::size_t g = 0; g < std::max<std::size_t>(1, groups.size()); ++g)
     for (const bool back : {false, true})
@@ -108,6 +111,7 @@ PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const S
           for (std::size_t b = 0; b < light.size(); ++b)
             light[b] = effective_irradiance(material, {light.data(), behind.data()}, ratio, b);
         }
+        if (back && shows_back[i] == 0) std::fill(light.begin(), light.end(), 0.0f);
         append(values, patches, colours, v.material, ratio, light);
       }
   float largest = 0.0f;
@@ -171,9 +175,12 @@ PageErrors make_page_errors(const PatchSet& patches, const PageMesh& mesh, const
   for (const auto& g : groups) layers.push_back(&g.solution);
   std::vector<double> errors;
   for (const auto* layer : layers)
-    for (const auto* side : {&layer->standard_error.front, &layer->standard_error.back})
-      for (const auto patch : mesh.patch)
-        errors.push_back(side->empty() ? 0.0 : lux_error(colours, *side, patch));
+    for (const bool back : {false, true})
+      for (std::size_t t = 0; t < mesh.patch.size(); ++t) {
+        const auto& of_side = layer->standard_error.of(back);
+        const bool is_shown = !of_side.empty() && (!back || mesh.back_is_lit[t] != 0);
+        errors.push_back(is_shown ? lux_error(colours, of_side, mesh.patch[t]) : 0.0);
+      }
   PageErrors page;
   for (const auto e : errors) page.largest = std::max(page.largest, e);
   for (const auto e : errors) {

@@ -21,6 +21,7 @@ struct PageLight {
   std::vector<std::uint16_t> halves;
 };
 
+// The light of backs that no part shows is 0.
 PageLight make_page_light(const PatchSet& patches, const PageMesh& mesh, const SmoothLight& light,
                           std::span<const GroupLight> groups);
 
@@ -35,7 +36,8 @@ struct PageColours {
 PageColours make_page_colours(const PatchSet& patches, const PageMesh& mesh);
 
 // Standard errors of illuminance of the sides in steps of a twelfth of an octave: [whole, then each
-// group][front, then back][triangle]. 255 is `largest`, 254 a twelfth of an octave less; 0: none, or dark.
+// group][front, then back][triangle]. 255 is `largest`, 254 a twelfth of an octave less; 0: none, dark, or a
+// back that is not shown.
 struct PageErrors {
   double largest = 0.0;  // lux
   std::vector<std::uint8_t> codes;

@@ -51,7 +51,7 @@ class MeshMaker {
 }  // namespace
 
 PageMesh make_page_mesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
-                        const PageTextures& textures) {
+                        const PageTextures& textures, std::span<const std::uint8_t> hidden_backs) {
   const auto hidden = hidden_irradiance(patches, solution);
   const auto front_is_hidden = [&](std::uint32_t p) {
     double sum = 0.0;
@@ -60,11 +60,14 @@ PageMesh make_page_mesh(const PatchSet& patches, const Solution& solution, const
              static_cast<double>(patches.emittance(p, b));
     return sum <= hidden;
   };
+  const auto shows_back = [&](std::uint32_t p) {
+    return back_is_lit(solution, p) && (hidden_backs.empty() || hidden_backs[p] == 0);
+  };
   // [material][front is hidden, back is lit]
   std::vector<std::array<std::vector<std::uint32_t>, 4>> of_part(patches.materials.size());
   for (std::uint32_t p = 0; p < patches.size(); ++p)
     of_part[static_cast<std::size_t>(patches.material[p])]
-           [(front_is_hidden(p) ? 2u : 0u) + (back_is_lit(solution, p) ? 1u : 0u)]
+           [(front_is_hidden(p) ? 2u : 0u) + (shows_back(p) ? 1u : 0u)]
                .push_back(p);
   PageMesh mesh;
   MeshMaker maker(patches, light, textures, mesh);
@@ -76,6 +79,7 @@ PageMesh make_page_mesh(const PatchSet& patches, const Solution& solution, const
       for (const auto p : members) maker.add(p);
       if (const auto count = mesh.triangles.size() - first; count > 0)
         mesh.parts.push_back({m, part >= 2, part % 2 != 0, first, count});
+      mesh.back_is_lit.resize(mesh.triangles.size(), part % 2 != 0 ? 1 : 0);
     }
   }
   return mesh;

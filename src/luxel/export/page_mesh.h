@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "luxel/export/closed_patches.h"
@@ -18,7 +19,8 @@ namespace luxel {
 struct PagePart {
   std::size_t material = 0;
   bool front_is_hidden = false;  // next to no light fell on their fronts, nor do they emit
-  bool back_is_lit = false;      // light fell on their backs; else there is nothing to be seen from behind
+  // light fell on their backs, and they are not hidden; else there is nothing to be seen from behind
+  bool back_is_lit = false;
   std::size_t first = 0, count = 0;  // triangles
 };
 
@@ -33,10 +35,12 @@ struct PageMesh {
   std::vector<Vertex> vertices;                         // in the order in which triangles use them
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into vertices
   std::vector<std::uint32_t> patch;                     // [triangle]
+  std::vector<std::uint8_t> back_is_lit;                // [triangle]: that of its part
   std::vector<PagePart> parts;  // by material, lit fronts first, of each lit backs last
 };
 
+// hidden_backs: see PageOptions.
 PageMesh make_page_mesh(const PatchSet& patches, const Solution& solution, const SmoothLight& light,
-                        const PageTextures& textures);
+                        const PageTextures& textures, std::span<const std::uint8_t> hidden_backs = {});
 
 }  // namespace luxel

@@ -44,6 +44,27 @@ LitPatches square() {
   return lit;
 }
 
+// A hidden back is of a part without lit backs, and its light and error are 0.
+TEST(PageData, hidden_backs_are_not_shown) {
+  auto lit = square();
+  lit.solution.standard_error = lit.solution.irradiance;
+  const auto light = make_smooth_light(lit.patches, lit.solution);
+  const std::vector<std::uint8_t> hidden = {0, 1};
+  const auto mesh = make_page_mesh(lit.patches, lit.solution, light, PageTextures(lit.patches), hidden);
+  ASSERT_EQ(mesh.parts.size(), 2u);
+  EXPECT_FALSE(mesh.parts[1].back_is_lit);
+  const auto halves = make_page_light(lit.patches, mesh, light, {}).halves;
+  const auto half = static_cast<std::ptrdiff_t>(halves.size() / 2);
+  EXPECT_TRUE(std::all_of(halves.begin(), halves.begin() + half, [](auto h) { return h != 0; }));
+  EXPECT_TRUE(std::all_of(halves.begin() + half, halves.end(), [](auto h) { return h == 0; }));
+  const auto errors = make_page_errors(lit.patches, mesh, lit.solution, {}).codes;
+  ASSERT_EQ(errors.size(), 4u);
+  EXPECT_GT(errors[1], 0);
+  EXPECT_EQ(errors[3], 0);
+  const auto all = make_page_light(lit.patches, mesh_of(lit, light), light, {}).halves;
+  EXPECT_TRUE(std::any_of(all.begin() + half, all.end(), [](auto h) { return h != 0; }));
+}
+
 // Its light times a factor.
 GroupLight times(const LitPatches& lit, float front, float back) {
   GroupLight group{lit.solution, make_smooth_light(lit.patches, lit.solution)};
