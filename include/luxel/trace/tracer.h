@@ -34,7 +34,8 @@ struct Hit {
 /// memory about 150 bytes per patch.
 class Tracer {
  public:
-  /// Keeps no reference to patches. Throws DeviceError where Embree cannot start or runs out of memory.
+  /// Keeps no reference to patches. Throws DeviceError where Embree cannot start or runs out of memory,
+  /// InputError where the patches would need more memory than is free.
   explicit Tracer(const PatchSet& patches, const Context& context = {});
   ~Tracer();
   Tracer(Tracer&&) noexcept;

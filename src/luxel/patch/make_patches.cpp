@@ -134,7 +134,7 @@ std::optional<LackOfMemory> lack_of_memory(double patches) {
 
 // Allocations beyond the limits of a control group do not fail: the process ends.
 void check_memory(const Scene& scene) {
-  constexpr double patches_per_triangle = 1.5;  // of scenes that are not split at all
+  constexpr double patches_per_triangle = 2.0;  // of scenes that are not split at all, and where they touch
   if (const auto lack = lack_of_memory(patches_per_triangle * static_cast<double>(scene.triangles.size())))
     throw InputError(scene.source, fmt::format("its triangles make {}", lack->text));
 }

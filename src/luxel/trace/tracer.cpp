@@ -14,8 +14,11 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "luxel/core/error.h"
 #include "luxel/core/hint.h"
+#include "luxel/core/memory.h"
 #include "luxel/core/unit_vector.h"
 
 namespace luxel {
@@ -31,6 +34,18 @@ void throw_on_error(RTCDevice device, const char* what) {
   if (error == RTC_ERROR_OUT_OF_MEMORY)
     throw with_hints(DeviceError(failed + "out of memory; fewer patches are needed"), {{Setting::max_edge}});
   throw DeviceError(failed + "error " + std::to_string(static_cast<int>(error)));
+}
+
+// Allocations beyond the limits of a control group do not fail: the process ends.
+void check_memory(std::size_t patches) {
+  constexpr double bytes_per_patch = 200.0;  // while the hierarchy is built
+  const auto needed = bytes_per_patch * static_cast<double>(patches);
+  const auto free = static_cast<double>(free_memory());
+  if (!(free > 0.0) || needed <= free) return;
+  throw with_hints(InputError(fmt::format("tracing rays through {} patches needs about {}: a longer edge is "
+                                          "needed",
+                                          patches, needed_of_free(needed, free))),
+                   {{Setting::max_edge}});
 }
 
 // The holes of one patch.
@@ -124,6 +139,7 @@ struct Tracer::State {
 };
 
 Tracer::Tracer(const PatchSet& patches, const Context& context) : state_(std::make_unique<State>()) {
+  check_memory(patches.size());
   state_->device = rtcNewDevice(device_config);
   if (!state_->device) {
     if (rtcGetDeviceError(nullptr) == RTC_ERROR_OUT_OF_MEMORY)
