@@ -74,8 +74,7 @@ void check_memory(const std::filesystem::path& path) {
   const auto size = std::filesystem::file_size(path, error);
   const auto free = static_cast<double>(free_memory());
   if (const auto needed = bytes_per_byte * static_cast<double>(size); !error && free > 0.0 && needed > free)
-    throw InputError(path.string(),
-                     fmt::format("reading it needs about {}", needed_of_free(needed, free)));
+    throw InputError(path.string(), fmt::format("reading it needs about {}", needed_of_free(needed, free)));
 }
 
 const Reader& reader_of(const std::filesystem::path& path) {
