@@ -33,8 +33,7 @@ struct SimplifiedMesh {
 // merge only within one input triangle, so surfaces, edges, texture coordinates and borders of materials
 // stay; neighbours stay joined, and lines at which the light jumps stay. Every removed vertex is compared
 // with the triangle that covers it to the end, so errors there do not accumulate; the middles of removed
-// edges, with the mesh before. Both sides of a patch count where
-// both are lit.
+// edges are compared with the mesh before. Both sides of a patch count where both are lit.
 //
 // curve: the tone curve of the display. Cost: about 5 us per vertex of the patches, on one thread. The result
 // depends on the input alone.

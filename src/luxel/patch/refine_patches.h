@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,6 +15,12 @@ struct RefinedPatches {
   PatchSet patches;
   std::vector<std::uint32_t> parent;  // [patch]: the patch of the old set that it is, or is a part of
 };
+
+// Returns whether a patch is a part of one that was cut, whose other parts stand beside it.
+inline bool is_part(std::span<const std::uint32_t> parent, std::size_t patch) {
+  return (patch > 0 && parent[patch - 1] == parent[patch]) ||
+         (patch + 1 < parent.size() && parent[patch + 1] == parent[patch]);
+}
 
 // Cuts the marked patches in four: all three edges are halved, the longest one first (Rivara 1984, the
 // four-triangle partition), so that angles do not degrade over any number of refinements. Edges shorter than

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "luxel/patch/refine_patches.h"
 #include "luxel/patch/side.h"
 #include "luxel/solve/seen_measure.h"
 
@@ -38,9 +39,7 @@ void MeshEstimate::note_cut(FieldDifference change, std::span<const std::uint32_
                             std::size_t bands) {
   const bool is_first = change_.squared.front.empty();
   for (std::size_t p = 0; !is_first && p < parent.size(); ++p) {
-    const bool is_whole =
-        (p == 0 || parent[p - 1] != parent[p]) && (p + 1 == parent.size() || parent[p + 1] != parent[p]);
-    if (!is_whole) continue;
+    if (is_part(parent, p)) continue;
     for (const bool back : {false, true}) {
       copy_row(change_.squared.of(back), parent[p], change.squared.of(back), p, bands);
       copy_row(change_.noise.of(back), parent[p], change.noise.of(back), p, bands);
@@ -51,25 +50,25 @@ void MeshEstimate::note_cut(FieldDifference change, std::span<const std::uint32_
 
 void MeshEstimate::look(const PatchSet& patches, const Answers& answers, const Tracer& tracer,
                         ErrorMeasure measure, const Context& context) {
-  difference_ = residual_within_patches(patches, answers, context);
+  auto expected = residual_within_patches(patches, answers, context);
   for (const bool back : {false, true})
     for (std::size_t i = 0; i < change_.squared.of(back).size(); ++i) {
-      difference_.squared.of(back)[i] += carried * change_.squared.of(back)[i];
-      difference_.noise.of(back)[i] += carried * change_.noise.of(back)[i];
+      expected.squared.of(back)[i] += carried * change_.squared.of(back)[i];
+      expected.noise.of(back)[i] += carried * change_.noise.of(back)[i];
     }
   weights_.clear();
   if (measure == ErrorMeasure::seen)
-    weights_ = seen_sides(patches, tracer, mean_irradiance(answers), difference_.squared, context).importance;
+    weights_ = seen_sides(patches, tracer, mean_irradiance(answers), expected.squared, context).importance;
   if (weights_.empty()) {
     const auto light = squared_light(patches, answers);
     weights_.assign(side_count(patches.size()), 0.0);
     for (std::size_t s = 0; light > 0.0 && s < weights_.size(); ++s)
       weights_[s] = static_cast<double>(patches.area[SideId::at(s).patch()]) / light;
   }
-  weigh(patches.band_count());
+  weigh(expected, patches.band_count());
 }
 
-void MeshEstimate::weigh(std::size_t bands) {
+void MeshEstimate::weigh(const FieldDifference& expected, std::size_t bands) {
   const auto patches = weights_.size() / 2;
   squared_.assign(patches, 0.0);
   noise_.assign(patches, 0.0);
@@ -77,8 +76,8 @@ void MeshEstimate::weigh(std::size_t bands) {
     for (const bool back : {false, true})
       for (auto i = p * bands; i < (p + 1) * bands; ++i) {
         const auto weight = weights_[SideId(p, back).index()];
-        squared_[p] += weight * difference_.squared.of(back)[i];
-        noise_[p] += weight * difference_.noise.of(back)[i];
+        squared_[p] += weight * expected.squared.of(back)[i];
+        noise_[p] += weight * expected.noise.of(back)[i];
       }
 }
 

@@ -14,7 +14,8 @@
 
 namespace luxel {
 
-// Of a squared error: what halving a patch leaves where the light jumps. Where it is smooth, less.
+// Fraction of its squared error that a patch keeps when it is halved where the light jumps; it keeps less
+// where the light is smooth.
 constexpr double left_by_halving = 0.5;
 
 // Estimates the error that the size of patches leaves in the reconstructed light, and how much of it each
@@ -42,10 +43,10 @@ class MeshEstimate {
   std::span<const double> weights() const { return weights_; }
 
  private:
-  void weigh(std::size_t bands);
+  // expected: of the next cut.
+  void weigh(const FieldDifference& expected, std::size_t bands);
 
-  FieldDifference change_;      // by the cuts that made the patches
-  FieldDifference difference_;  // expected of the next cut
+  FieldDifference change_;  // by the cuts that made the patches
   std::vector<double> weights_;
   std::vector<double> squared_, noise_;
 };

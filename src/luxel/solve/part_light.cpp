@@ -8,6 +8,7 @@
 
 #include "luxel/classical/scattering.h"
 #include "luxel/lamps/direct_samples.h"
+#include "luxel/patch/refine_patches.h"
 #include "luxel/patch/side.h"
 #include "luxel/solve/hit_store.h"
 #include "luxel/solve/replicate_solve.h"
@@ -20,11 +21,6 @@ namespace {
 constexpr std::uint32_t replicates = 4;  // the fewest with which direct light has no bias to speak of
 constexpr std::uint32_t min_rays = 16, max_rays = 128;  // of a side
 constexpr std::size_t grain = 4096;                     // receivers per chunk
-
-bool is_cut(std::span<const std::uint32_t> parent, std::size_t part) {
-  return (part > 0 && parent[part - 1] == parent[part]) ||
-         (part + 1 < parent.size() && parent[part + 1] == parent[part]);
-}
 
 // The rays of one call: samples of direct light, and first hits.
 class PartRays {
@@ -75,7 +71,8 @@ class PartRays {
         context_);
   }
 
-  // What the rays gather where `sent` leaves each receiver: both [receiver * bands + band], W/m².
+  // Returns the irradiance that the rays find if the receivers send on `sent`; both [receiver * bands +
+  // band], W/m².
   std::vector<float> gathered(std::span<const float> sent) const {
     const auto bands = patches_.band_count();
     const auto receivers = sides().size();
@@ -137,7 +134,7 @@ std::vector<std::uint32_t> rays_of_parts(const Cut& cut, const Solution& light,
   const auto bands = cut.parts.band_count();
   std::vector<std::uint32_t> rays(side_count(cut.parts.size()), 0);
   for (std::size_t p = 0; p < cut.parts.size(); ++p) {
-    if (!is_cut(cut.parent, p)) continue;
+    if (!is_part(cut.parent, p)) continue;
     for (const bool back : {false, true}) {
       if (back && !cut.parts.material_of(p).two_sided) continue;
       double of_one = 0.0;  // squared error with one ray

@@ -68,8 +68,8 @@ class Refinement {
     const auto first =
         cut_large_patches(now_.patches, options_.light.error_measure, options_.max_patches, context_);
     if (!look(first.value_or(whole(now_.patches)))) return end(RefineStop::stopped_by_user);
+    bound_cost();
     for (int level = 0;; ++level) {
-      bound_cost();
       if (is_met()) {
         if (cuts_ == 0 || !can_look_again()) return end(RefineStop::mesh_error_reached);
         if (!look_again()) return end(RefineStop::stopped_by_user);

@@ -10,10 +10,10 @@
 
 namespace luxel {
 
-// Sides that nobody sees, such as the insides of a cupboard and the floor below it, [patch]: 1 where almost
-// no light reaches a side (hidden_irradiance()), it does not shine, and no viewpoint of place_views() sees it
-// or another unlit side that continues it across edges. So a dark room is not hidden, since viewpoints see
-// most of it. No side is where no open space is found, or where PatchSet::focus restricts the viewpoints.
+// Returns [patch]: 1 where a side is hidden, like the insides of a cupboard and the floor below it: almost no
+// light reaches it (hidden_irradiance()), it does not emit, and no viewpoint of place_views() sees it or
+// another unlit side that continues it across edges. A dark room is not hidden, since viewpoints see most of
+// it. No side is hidden where no open space is found, or where PatchSet::focus restricts the viewpoints.
 // Cost: that of place_views(), and a sort of the edges.
 FrontAndBack<std::uint8_t> hidden_sides(const PatchSet& patches, const Solution& solution,
                                         const Tracer& tracer, const Context& context);

@@ -83,7 +83,7 @@ float code_at(const Lit& lit, std::uint32_t smooth) {
   return curve(in_gamut(radiance_of(lit.patches.materials[0], false, irradiance, colours))).g;
 }
 
-// Backs with a shadow that nobody sees.
+// There is a shadow on the backs, which no viewpoint sees.
 TEST(SimplifyMesh, hidden_backs_need_no_triangles_and_are_dark) {
   auto lit = lit_by(fine_corner(), [](const Vec3&) { return 1.0f; });
   for (std::size_t p = 0; p < lit.patches.size(); ++p)
