@@ -37,6 +37,20 @@ TEST(Interrupt, while_it_refines_writes_the_light_that_decided) {
   EXPECT_NE(info.out.find("mesh error"), std::string::npos) << info.out;
 }
 
+// The picture takes longer than an interrupted run has, and can be made from the solution.
+TEST(Interrupt, of_the_solve_leaves_a_second_for_what_can_be_made_from_the_solution) {
+  const auto folder = fresh_folder("interrupt_second");
+  const auto run = run_interrupted(
+      folder,
+      "$LUXEL bake cornell-box.obj --method shooting --rays 50G --max-edge 0.1 --width 10000 --height 10000 "
+      "-o a.png -o a.vtkhdf",
+      "grep -q lamp stderr.txt", "1");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("stopped: "), std::string::npos) << run.err;
+  EXPECT_EQ(cli::run(folder, "$LUXEL info a.vtkhdf").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
 TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
   const auto folder = fresh_folder("interrupt_picture");
   const auto run = run_interrupted(

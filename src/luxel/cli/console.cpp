@@ -102,7 +102,8 @@ LogSink Console::log_as(Notes notes) {
 
 Monitor Console::monitor_that(bool heeds_interrupt) {
   return [this, heeds_interrupt](const Progress& progress) {
-    if (progress.stage == "light") let_interrupts_wait(true);  // they write the light so far
+    const bool has_light = progress.stage == "refine" && is_known_error(progress.error);
+    if (progress.stage == "light" || has_light) let_interrupts_wait(true);  // they write the light so far
     if (as_json_)
       tell_program(progress);
     else if (!quiet_)
@@ -116,6 +117,7 @@ std::string Console::worded(const std::string& sentence, const std::vector<Hint>
 }
 
 void Console::light_is_safe() { let_interrupts_wait(false); }
+bool Console::is_second_over() { return end_in_its_second(); }
 bool Console::is_interrupted() const { return interrupted(); }
 
 void Console::announce(const std::string& stage) {

@@ -37,6 +37,7 @@ class Console final : public Reporter {
   std::string worded(const std::string& sentence, const std::vector<Hint>& hints) const override;
   bool is_interrupted() const override;
   void light_is_safe() override;
+  bool is_second_over() override;
   // Returns a sink for warnings and errors; notes are lines or details.
   LogSink log_as(Notes notes) override;
   // Returns a monitor that draws progress and returns stop after Ctrl-C. heeds_interrupt: false for a stage

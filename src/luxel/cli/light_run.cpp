@@ -61,7 +61,7 @@ int LightRun::run(BakeStart& start, const Scene* scene) {
   // First, since an interrupt ends the outputs. Where its disk is full, the outputs may be on another one.
   std::exception_ptr failure;
   try {
-    stage.checkpoint().finish(baked);
+    outputs.light_is_kept = stage.checkpoint().finish(baked);
   } catch (const DeviceError&) {
     failure = std::current_exception();
   }

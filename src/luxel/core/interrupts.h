@@ -17,4 +17,9 @@ void ignore_interrupts();
 // Returns whether an interrupt has come. Cheap.
 bool interrupted();
 
+// Call after interrupted() has returned true. The program ends a second after the interrupt, with the
+// sentence and the exit status of catch_interrupts, whatever it does then. Returns true, and ends nothing,
+// where that second is over.
+bool end_in_its_second();
+
 }  // namespace luxel

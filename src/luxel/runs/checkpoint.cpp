@@ -34,8 +34,10 @@ void Checkpoint::write(const Baked& baked) {
   write_solution(settings_.checkpoint, baked.patches, baked.solution, state_.get());
 }
 
-void Checkpoint::finish(const Baked& baked) {
-  if (!settings_.checkpoint.empty() && state_) write(baked);
+bool Checkpoint::finish(const Baked& baked) {
+  if (settings_.checkpoint.empty() || !state_) return false;
+  write(baked);
+  return true;
 }
 
 std::optional<StoredRun> run_to_go_on(const StoreSettings& settings, std::uint64_t scene_fingerprint,

@@ -24,8 +24,9 @@ class Checkpoint {
   // Hooks for the solver. They keep references to all arguments and to this object.
   SolveHooks hooks(const Baked& baked, std::shared_ptr<const SampleState> from, Reporter& reporter);
 
-  // Writes the last answer if it is not yet in the file. Throws DeviceError where it cannot be written.
-  void finish(const Baked& baked);
+  // Writes the last answer if it is not yet in the file. Returns whether the file has the light. Throws
+  // DeviceError where it cannot be written.
+  bool finish(const Baked& baked);
 
   // The latest state; null before the first answer.
   const std::shared_ptr<const SampleState>& state() const { return state_; }

@@ -130,6 +130,10 @@ class OutputWriter {
         skip(output, "another file was being written");
         continue;
       }
+      if (is_second_over()) {
+        skip(output, "the light is kept, from which the rest can be made");
+        continue;
+      }
       try {
         write(output);
       } catch (const DeviceError& error) {
@@ -167,6 +171,12 @@ class OutputWriter {
 
   // After an interrupt of the solve, outputs are written all the same.
   bool is_interrupted_here() const { return !was_interrupted_ && place_.reporter.is_interrupted(); }
+
+  // After an interrupt of the solve, the other outputs have a second, where one file has the light.
+  bool is_second_over() {
+    const bool is_kept = settings_.light_is_kept || has_solution_;
+    return was_interrupted_ && is_kept && place_.reporter.is_second_over();
+  }
 
   void skip(const std::string& output, const std::string& why) {
     written_.stopped = true;
@@ -214,6 +224,7 @@ class OutputWriter {
   }
   bool write_as_solution(const std::string& output) {
     write_solution(output, baked_.patches, baked_.solution, samples_.for_solutions);
+    has_solution_ = true;
     return true;
   }
   bool write_as_ply(const std::string& output) {
@@ -320,6 +331,7 @@ class OutputWriter {
   RunPlace place_;
   const StoredSamples& samples_;
   const bool was_interrupted_ = place_.reporter.is_interrupted();
+  bool has_solution_ = false;  // among the files written
   std::optional<SmoothLight> light_;
   std::optional<Tracer> own_tracer_;
   std::optional<Picture> picture_;

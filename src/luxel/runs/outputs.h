@@ -64,12 +64,13 @@ struct OutputSettings {
   const PictureSettings& picture;
   MeshWish mesh = {};
   std::optional<Camera> camera = {};  // if already found; counted from the patches' origin
+  bool light_is_kept = false;         // in a checkpoint
 };
 
 // Writes each output: the solution first, pictures last. Makes the smooth light, the tracer and the camera
 // once, when they are needed. tracer: null where there is none yet. After an earlier interrupt everything
-// is written nevertheless. Where one file cannot be written, the others are; then its DeviceError is
-// thrown.
+// is written nevertheless, or, where a solution or a checkpoint has the light, what can be in the second
+// after the interrupt. Where one file cannot be written, the others are; then its DeviceError is thrown.
 Written write_outputs(const Baked& baked, const Tracer* tracer, const OutputSettings& settings,
                       const RunPlace& place, const StoredSamples& samples = {});
 

@@ -31,6 +31,9 @@ class Reporter {
   virtual bool is_interrupted() const = 0;
   // From here on nothing is lost that took long to compute: an interrupt may end the program at once.
   virtual void light_is_safe() {}
+  // Of an interrupted run whose light is in a file: lets the program end a second after the interrupt,
+  // whatever it does then. Returns whether that second is over.
+  virtual bool is_second_over() { return false; }
 
   enum class Notes { shown, detailed };
   // Returns a sink for warnings, errors and notes, which are reported as sentences or as details.

@@ -41,6 +41,7 @@ constexpr double min_level = 1.01;
 // of each of the first two solutions, where the cost has a bound: some scenes do not come near their error
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
+constexpr double first_light = 0.7;     // fraction of the time that progress expects of the first mesh
 
 void check(const RefineOptions& options) {
   if (!(options.mesh_error > 0.0))
@@ -150,13 +151,24 @@ class Refinement {
                     std::min(poorest, std::max(known, light_fraction * options_.mesh_error)));
   }
 
-  // The monitor of a solve, or of the rays of a level.
-  Next tell(const Progress& p) const {
-    const auto known = report_.levels.empty() ? 0.0 : report_.levels.back().mesh_error;
-    const auto rays = rays_before_ + p.rays;
-    const auto done = allowed_rays_ > 0.0 ? std::min(1.0, static_cast<double>(rays) / allowed_rays_) : 0.0;
-    return context_.report({"refine", done, rays, known});
+  // The monitor of the solve of an answer, 0 or 1, that may take a budget of rays; 0: without a bound.
+  Next tell_solve(const Progress& p, std::uint32_t answer, std::uint64_t budget) const {
+    if (!report_.levels.empty()) return tell(p.rays);
+    const auto by_rays = budget > 0 ? static_cast<double>(p.rays) / static_cast<double>(budget) : 0.0;
+    const auto done = std::clamp(std::max(p.done, by_rays), 0.0, 1.0);
+    return context_.report({"refine", 0.5 * first_light * (answer + done), rays_before_ + p.rays});
   }
+
+  // Reports the present level. rays: since the last answer.
+  Next tell(std::uint64_t rays) const {
+    const auto first = static_cast<double>(report_.levels.front().rays);
+    const auto later = static_cast<double>(rays_before_ + rays) - first;
+    const auto part = allowed_rays_ > first ? std::clamp(later / (allowed_rays_ - first), 0.0, 1.0) : 0.0;
+    return context_.report({"refine", first_light + (1.0 - first_light) * part, rays_before_ + rays,
+                            report_.levels.back().mesh_error});
+  }
+  // Between the steps of a level that trace no rays.
+  bool is_stopped() const { return !report_.levels.empty() && tell(0) == Next::stop; }
 
   std::uint64_t seed_of(std::uint32_t answer) const {
     return stream_key(options_.light.seed, RandomPurpose::refinement,
@@ -164,13 +176,13 @@ class Refinement {
   }
 
   bool solve(Level& level, const Tracer& tracer) {
-    const auto on_the_way = [this](const Progress& p) { return tell(p); };
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.error = light_error();
       if (options_.max_cost > 0.0)
         how.ray_budget = std::max(options_.free_rays / 4, rays_per_side * side_count(level.patches.size()));
       how.seed = seed_of(i);
+      const auto on_the_way = [&](const Progress& p) { return tell_solve(p, i, how.ray_budget); };
       auto& [solution, smooth] = level.answers[i];
       const auto solved =
           solve_sampled(level.patches, tracer, solution, how, {}, context_.with_monitor(on_the_way));
@@ -186,8 +198,8 @@ class Refinement {
   // from a scene whose light is known.
   bool gather(Level& level, const Tracer& tracer, std::span<const std::uint32_t> parent) {
     const Cut cut{level.patches, tracer, parent};
-    const auto on_the_way = [this](const Progress& p) { return tell(p); };
     const auto error = std::max(options_.mesh_error, estimate_.error());
+    const auto on_the_way = [this](const Progress& p) { return tell(p.rays); };
     for (std::uint32_t i = 0; i < 2; ++i) {
       auto how = options_.light;
       how.seed = seed_of(i);
@@ -200,6 +212,7 @@ class Refinement {
       level.rays += *traced;
       rays_before_ += *traced;
       smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
+      if (is_stopped()) return false;
     }
     return true;
   }
@@ -217,6 +230,7 @@ class Refinement {
     for (std::size_t i = 0; i < 2; ++i) {
       coarse[i].solution = light_of_wholes(now_.patches, next.patches, next.answers[i].solution, parent);
       coarse[i].smooth = make_smooth_light(now_.patches, coarse[i].solution, options_.smooth, context_);
+      if (is_stopped()) return false;
     }
     auto change = difference_of_levels(now_.patches, coarse, next.patches, next.answers, parent, context_);
     estimate_.note_cut(std::move(change), parent, bands);

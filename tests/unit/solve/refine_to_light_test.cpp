@@ -120,6 +120,22 @@ TEST(RefineToLight, it_never_makes_more_patches_than_allowed) {
   EXPECT_EQ(report.stop, RefineStop::patch_limit);
 }
 
+TEST(RefineToLight, its_progress_moves_from_the_first_light_on_and_never_back) {
+  double now = 0.0, of_first_light = 0.0;
+  const auto context = Context(2).with_monitor([&](const Progress& p) {
+    EXPECT_GE(p.done, now);
+    EXPECT_LE(p.done, 1.0);
+    now = p.done;
+    if (p.error == 0.0) of_first_light = p.done;
+    return Next::go_on;
+  });
+  RefineReport report;
+  refine_to_light(make_patches(shadowed_floor(), {.max_edge = 0.3f}),
+                  {.mesh_error = 0.001, .max_cost = 1.0, .free_rays = 4'000'000}, report, context);
+  EXPECT_GT(of_first_light, 0.3);
+  EXPECT_GT(now, of_first_light);
+}
+
 TEST(RefineToLight, it_begins_no_level_beyond_the_cost_allowed) {
   RefineReport report;
   const auto patches = refine_to_light(make_patches(shadowed_floor(), {.max_edge = 0.3f}),
