@@ -2,6 +2,10 @@
 // Loaded before the C library (LD_PRELOAD), it makes one call of the operating system fail:
 // FAIL_CALL="write:3:28" is the third write with the error 28 (ENOSPC); the error 0 is a write of half the
 // bytes, without error. Calls for the standard streams do not count.
+// SLOW_READS=1000: reads give 1,000 bytes at most, and every third one is interrupted (EINTR), as from some
+// folders of a network.
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdarg>
 #include <cstdio>
@@ -35,6 +39,15 @@ bool fails(const char* call) {
   return error > 0;
 }
 
+// Returns how many of `count` bytes this read may give; 0: it is interrupted.
+size_t given_by_read(size_t count) {
+  static const char* most = std::getenv("SLOW_READS");
+  static std::atomic<int> reads = 0;
+  if (most == nullptr) return count;
+  if (++reads % 3 == 0) return 0;
+  return std::min(count, static_cast<size_t>(std::atoi(most)));
+}
+
 // The C library's function of this name.
 template <typename Function>
 Function* real(Function*, const char* name) {
@@ -60,6 +73,20 @@ ssize_t write(int file, const void* bytes, size_t count) {
   if (error == 0 && count > 1) return next(file, bytes, count / 2);
   if (error <= 0) return next(file, bytes, count);
   errno = error;
+  return -1;
+}
+
+ssize_t read(int file, void* bytes, size_t count) {
+  const auto given = given_by_read(count);
+  if (given > 0 || count == 0) return real(&::read, "read")(file, bytes, given);
+  errno = EINTR;
+  return -1;
+}
+
+ssize_t pread64(int file, void* bytes, size_t count, off64_t from) {
+  const auto given = given_by_read(count);
+  if (given > 0 || count == 0) return real(&::pread64, "pread64")(file, bytes, given, from);
+  errno = EINTR;
   return -1;
 }
 
