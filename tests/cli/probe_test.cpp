@@ -120,8 +120,8 @@ TEST_F(Probe, makes_lines_and_grids) {
   const auto facing =
       run("$LUXEL probe box.vtkhdf --line 0,0.1,-0.1:0,0.1,-0.3:3 --facing 0,0.1,0.5 --error 10% --json");
   ASSERT_EQ(facing.code, 0) << facing.err;
-  for (const auto& point : Json::parse(facing.out)["points"])
-    EXPECT_EQ(point["normal"], Json({0.0, 0.0, 1.0}));
+  const auto facing_points = Json::parse(facing.out)["points"];
+  for (const auto& point : facing_points) EXPECT_EQ(point["normal"], Json({0.0, 0.0, 1.0}));
 }
 
 TEST_F(Probe, gives_the_same_bytes_on_any_number_of_threads) {
