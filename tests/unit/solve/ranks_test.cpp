@@ -108,7 +108,8 @@ class RanksTest : public testing::Test {
   Tracer tracer_{patches_, one_};
 };
 
-// The second rank sleeps whenever its monitor is polled, a hundred times as long as its rays take.
+// The second rank sleeps whenever its monitor is polled: a hundred times as long as its rays take, and longer
+// where the machine is busy and they take long.
 TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
   auto alone = make({});
   for (int round = 0; round < 3; ++round) alone.double_rays(all_receivers(alone), 1, one_);
@@ -118,8 +119,12 @@ TEST_F(RanksTest, rows_leave_a_slow_rank_with_all_their_hits) {
     const Context context({.threads = 1, .ranks = &ranks});
     auto shared = make(SharedWork(context));
     const auto is_slow = ranks.rank() == 1;
+    using Clock = std::chrono::steady_clock;
+    auto awake = Clock::now();
     const auto monitor = [&](const Progress&) {
-      if (is_slow) std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      constexpr Clock::duration least = std::chrono::milliseconds(300), most = std::chrono::seconds(3);
+      if (is_slow) std::this_thread::sleep_for(std::clamp(20 * (Clock::now() - awake), least, most));
+      awake = Clock::now();
       return Next::go_on;
     };
     const auto fraction_of_slow = [&] {
