@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machines that refuse threads, outputs that would destroy inputs, leftovers of killed runs.
+// Machines that refuse threads, files that ask for too much, outputs that would destroy inputs, leftovers of
+// killed runs.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -45,6 +46,28 @@ TEST(Memory, that_patches_would_need_is_compared_with_what_is_free_before_any_is
   EXPECT_FALSE(fs::exists(folder / "a.ply"));
 }
 #endif
+
+// A second is promised, which bench measures; ten of the processor are a finding.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+const std::string in_time = "ulimit -t 100; ";
+#else
+const std::string in_time = "ulimit -t 10; ";
+#endif
+
+TEST(Refusals, of_a_polygon_that_crosses_itself_everywhere_come_soon) {
+  const auto folder = fresh_folder("crossing");
+  constexpr int corners = 60'000;
+  std::ofstream file(folder / "fan.obj");
+  for (int i = 0; i < corners; ++i)
+    file << "v " << i % 300 << ' ' << static_cast<long long>(i) * i % 977 << " 0\n";
+  file << 'f';
+  for (int i = 1; i <= corners; ++i) file << ' ' << i;
+  file << "\n";
+  file.close();
+  const auto run = cli::run(folder, in_time + "$LUXEL bake fan.obj -o a.glb");
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_NE(run.err.find("in so many places"), std::string::npos) << run.err;
+}
 
 TEST(Outputs, never_overwrite_what_a_run_reads) {
   const auto folder = fresh_folder("keep_inputs");
