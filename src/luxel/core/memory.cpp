@@ -100,13 +100,15 @@ std::uint64_t left_by_address_space(const fs::path& root) {
 
 }  // namespace
 
-std::string needed_of_free(double needed, double free) {
-  return fmt::format("{:.0f} MB of memory, of which {:.0f} are free", 1e-6 * needed, 1e-6 * free);
-}
-
 std::uint64_t free_memory(const fs::path& root) {
   const auto free = kibibytes(root / "proc/meminfo", "MemAvailable:");
   return std::min({free, left_by_control_groups(root), left_by_address_space(root)});
+}
+
+std::string lack_of_memory(double needed) {
+  const auto free = static_cast<double>(free_memory());
+  if (free == 0.0 || needed <= free) return {};
+  return fmt::format("{:.0f} MB of memory, of which {:.0f} are free", 1e-6 * needed, 1e-6 * free);
 }
 
 std::uint64_t resident_memory() { return kibibytes("/proc/self/status", "VmRSS:"); }

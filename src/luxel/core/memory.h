@@ -12,8 +12,10 @@ namespace luxel {
 // the system does not report it. root: where /proc and /sys are found.
 std::uint64_t free_memory(const std::filesystem::path& root = "/");
 
-// Returns "12 MB of memory, of which 10 are free". Both in bytes.
-std::string needed_of_free(double needed, double free);
+// Returns "12 MB of memory, of which 10 are free" where work needs more bytes than free_memory(), else an
+// empty text. Asked before the work: allocations beyond the limits of a control group do not fail, the
+// process ends.
+std::string lack_of_memory(double needed);
 
 // Returns the bytes of main memory that this process holds now; 0 where the system does not report it.
 std::uint64_t resident_memory();

@@ -67,14 +67,13 @@ void check_is_file(const std::filesystem::path& path) {
                      fmt::format("it is a folder; name the scene's file inside it ({})", endings));
 }
 
-// Allocations beyond the limits of a control group do not fail: the process ends.
 void check_memory(const std::filesystem::path& path) {
   constexpr double bytes_per_byte = 8.0;  // of the file; measured: 3.5 to 8
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
-  const auto free = static_cast<double>(free_memory());
-  if (const auto needed = bytes_per_byte * static_cast<double>(size); !error && free > 0.0 && needed > free)
-    throw InputError(path.string(), fmt::format("reading it needs about {}", needed_of_free(needed, free)));
+  if (error) return;
+  if (const auto lack = lack_of_memory(bytes_per_byte * static_cast<double>(size)); !lack.empty())
+    throw InputError(path.string(), fmt::format("reading it needs about {}", lack));
 }
 
 const Reader& reader_of(const std::filesystem::path& path) {

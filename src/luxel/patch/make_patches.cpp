@@ -117,34 +117,26 @@ void reserve(PatchSet& patches, std::size_t count) {
   patches.triangle.reserve(count);
 }
 
-// Patches that do not fit into memory, in words, and how many do.
-struct LackOfMemory {
-  std::string text;
-  double free_patches = 0.0;
-};
-
-std::optional<LackOfMemory> lack_of_memory(double patches) {
-  const auto free = static_cast<double>(free_memory());
-  const auto needed = bytes_per_patch * patches;
-  if (!(free > 0.0) || needed <= free) return {};
-  return LackOfMemory{
-      fmt::format("about {:.2g} patches, which need about {}", patches, needed_of_free(needed, free)),
-      free / bytes_per_patch};
+// Patches that do not fit into memory, in words; empty where they fit.
+std::string patches_beyond_memory(double patches) {
+  const auto lack = lack_of_memory(bytes_per_patch * patches);
+  return lack.empty() ? "" : fmt::format("about {:.2g} patches, which need about {}", patches, lack);
 }
 
-// Allocations beyond the limits of a control group do not fail: the process ends.
 void check_memory(const Scene& scene) {
   constexpr double patches_per_triangle = 2.0;  // of scenes that are not split at all, and where they touch
-  if (const auto lack = lack_of_memory(patches_per_triangle * static_cast<double>(scene.triangles.size())))
-    throw InputError(scene.source, fmt::format("its triangles make {}", lack->text));
+  const auto count = static_cast<double>(scene.triangles.size());
+  if (const auto beyond = patches_beyond_memory(patches_per_triangle * count); !beyond.empty())
+    throw InputError(scene.source, fmt::format("its triangles make {}", beyond));
 }
 void check_memory(const PatchSet& patches, std::size_t contact_lines) {
   constexpr double patches_per_line = 2.0;
-  if (const auto lack = lack_of_memory(static_cast<double>(patches.size()) +
-                                       patches_per_line * static_cast<double>(contact_lines)))
+  const auto count =
+      static_cast<double>(patches.size()) + patches_per_line * static_cast<double>(contact_lines);
+  if (const auto beyond = patches_beyond_memory(count); !beyond.empty())
     throw with_hints(InputError(fmt::format("the scene makes {}: a longer edge is needed, or no cuts where "
                                             "surfaces touch",
-                                            lack->text)),
+                                            beyond)),
                      {{Setting::max_edge}, {Setting::contacts, "off"}});
 }
 
@@ -162,11 +154,12 @@ double chosen_edge(const Scene& scene, const PatchOptions& options) {
                          options.max_edge, expected, options.max_count,
                          edge_for_count(all, 0.7 * static_cast<double>(options.max_count)))),
                      {{Setting::max_edge}});
-  if (const auto lack = lack_of_memory(expected))
-    throw with_hints(
-        InputError(fmt::format("an edge of {} m would make {}: {:.3g} m would fit", options.max_edge,
-                               lack->text, edge_for_count(all, 0.7 * lack->free_patches))),
-        {{Setting::max_edge}});
+  if (const auto beyond = patches_beyond_memory(expected); !beyond.empty()) {
+    const auto fitting = 0.7 * static_cast<double>(free_memory()) / bytes_per_patch;
+    throw with_hints(InputError(fmt::format("an edge of {} m would make {}: {:.3g} m would fit",
+                                            options.max_edge, beyond, edge_for_count(all, fitting))),
+                     {{Setting::max_edge}});
+  }
   return options.max_edge;
 }
 

@@ -13,7 +13,6 @@
 #include "luxel/import/is_gltf.h"
 #include "luxel/render/radiance_pages.h"
 #include "luxel/runs/light_pages.h"
-#include "luxel/surface/hidden_sides.h"
 #include "luxel/surface/vertex_fit.h"
 
 namespace luxel {
@@ -77,8 +76,13 @@ bool needs_rays(const MeshSettings& settings) {
   return settings.on_pages() && settings.pages.lightmap.texels.error > 0.0;
 }
 
-GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
-                      const OutputSettings& settings, const Tracer* tracer, const RunPlace& place) {
+bool is_simplified(const MeshSettings& settings) {
+  return settings.simplify && !settings.keep_topology && !settings.on_pages();
+}
+
+GlbDone write_lit_glb(const std::string& output, const GlbInput& glb, const OutputSettings& settings,
+                      const RunPlace& place) {
+  const auto& [baked, light, hidden_sides, tracer] = glb;
   const auto& wish = settings.mesh;
   const auto& look = settings.look;
   auto mesh = wish.settings ? *wish.settings : MeshSettings{};
@@ -89,18 +93,13 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
                      "has those of the scene's file",
                      output));
   const auto up = up_of(look, baked.patches);
-  const auto hidden = [&]() -> FrontAndBack<std::uint8_t> {
-    if (!mesh.simplify) return {};
-    std::optional<Tracer> own;
-    const auto& rays = tracer ? *tracer : own.emplace(baked.patches, place.context);
-    return hidden_sides(baked.patches, baked.solution, rays, place.context);
-  };
+  const auto hidden = hidden_sides ? *hidden_sides : FrontAndBack<std::uint8_t>{};
   const bool keeps =
       wish.scene && (mesh.keep_topology || is_gltf(wish.scene->source) || !wish.scene->textures.empty());
   if (!keeps && !mesh.on_pages()) {
     auto tone = look.tone;
     const auto shown =
-        displayed_mesh(baked, *light, mesh, {.keeps_textured_patches = true, .hidden = hidden()}, tone);
+        displayed_mesh(baked, *light, mesh, {.keeps_textured_patches = true, .hidden = hidden}, tone);
     export_glb(output, shown.patches, shown.solution, shown.light, up,
                {.tone = tone, .program = mesh.program, .compression = mesh.compression});
     return {};
@@ -116,7 +115,7 @@ GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::
       write_uncut(output, input, *light, options, place.reporter);
       return {};
     }
-    const auto shown = displayed_mesh(baked, *light, mesh, {.hidden = hidden()}, options.tone);
+    const auto shown = displayed_mesh(baked, *light, mesh, {.hidden = hidden}, options.tone);
     export_round_trip_cut(output, {input.scene, shown.patches, shown.solution}, shown.light, options);
     return {};
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -16,15 +17,25 @@ namespace luxel {
 // Returns whether the mesh needs rays, as texels may be gathered.
 bool needs_rays(const MeshSettings& settings);
 
+// Returns whether vertices are removed that the light does not need, so that it needs the hidden sides.
+bool is_simplified(const MeshSettings& settings);
+
 // is_written: false after an early Ctrl-C. pages: present where the mesh has light on pages.
 struct GlbDone {
   bool is_written = true;
   std::optional<PagesRecord> pages = {};
 };
 
-// Writes a GLB by the settings. light: present where light is at vertices. tracer: present where needs_rays()
-// returns true. Throws DeviceError, and MismatchError where the scene is not the solution's.
-GlbDone write_lit_glb(const std::string& output, const Baked& baked, const std::optional<SmoothLight>& light,
-                      const OutputSettings& settings, const Tracer* tracer, const RunPlace& place);
+// The contents of a GLB. Those that its settings do not need may be absent.
+struct GlbInput {
+  const Baked& baked;
+  const std::optional<SmoothLight>& light;         // at vertices
+  const FrontAndBack<std::uint8_t>* hidden_sides;  // where is_simplified() returns true
+  const Tracer* tracer;                            // where needs_rays() returns true
+};
+
+// Writes a GLB by the settings. Throws DeviceError, and MismatchError where the scene is not the solution's.
+GlbDone write_lit_glb(const std::string& output, const GlbInput& input, const OutputSettings& settings,
+                      const RunPlace& place);
 
 }  // namespace luxel

@@ -18,6 +18,7 @@
 #include "luxel/render/photometric_picture.h"
 #include "luxel/runs/mesh_output.h"
 #include "luxel/runs/page_output.h"
+#include "luxel/surface/hidden_sides.h"
 
 namespace luxel {
 
@@ -211,13 +212,16 @@ class OutputWriter {
     return true;
   }
   bool write_as_page(const std::string& output) {
-    write_page(output, {baked_, *light_, samples_.for_pages, *written_.camera}, settings_.look, *tracer_,
-               place_.context);
+    write_page(output, {baked_, *light_, samples_.for_pages, hidden(), *written_.camera}, settings_.look,
+               *tracer_, place_.context);
     return true;
   }
   bool write_as_glb(const std::string& output) {
     const OutputSettings settings{settings_.run, exposed_look(), settings_.picture, settings_.mesh};
-    const auto done = write_lit_glb(output, baked_, light_, settings, tracer_, place_);
+    const bool simplified =
+        is_simplified(settings_.mesh.settings ? *settings_.mesh.settings : MeshSettings{});
+    const auto done =
+        write_lit_glb(output, {baked_, light_, simplified ? &hidden() : nullptr, tracer_}, settings, place_);
     if (done.pages) written_.pages = done.pages;
     written_.stopped |= !done.is_written || (done.pages && done.pages->made.texels.stopped);
     return done.is_written;
@@ -270,6 +274,10 @@ class OutputWriter {
     own_tracer_ =
         place_.record.stage("hierarchy", [&](auto&) { return Tracer(baked_.patches, place_.context); });
     tracer_ = &*own_tracer_;
+  }
+  const FrontAndBack<std::uint8_t>& hidden() {
+    if (!hidden_) hidden_ = hidden_sides(baked_.patches, baked_.solution, *tracer_, place_.context);
+    return *hidden_;
   }
   void find_camera() {
     if (written_.camera) return;
@@ -334,6 +342,7 @@ class OutputWriter {
   bool has_solution_ = false;  // among the files written
   std::optional<SmoothLight> light_;
   std::optional<Tracer> own_tracer_;
+  std::optional<FrontAndBack<std::uint8_t>> hidden_;
   std::optional<Picture> picture_;
   std::optional<LookSettings> exposed_look_;  // tone curve fitted to the view
   Written written_;

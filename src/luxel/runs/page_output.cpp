@@ -10,7 +10,6 @@
 #include "luxel/runs/bake_settings.h"
 #include "luxel/runs/outputs.h"
 #include "luxel/solve/relight.h"
-#include "luxel/surface/hidden_sides.h"
 
 namespace luxel {
 namespace {
@@ -47,10 +46,10 @@ SampledOptions sampled_options_of(const Provenance& provenance) {
 
 void write_page(const std::string& output, const PageInput& input, const LookSettings& look,
                 const Tracer& tracer, const Context& context) {
-  const auto& [baked, light, samples, camera] = input;
+  const auto& [baked, light, samples, hidden_sides, camera] = input;
   const auto groups = light_of_groups(baked, samples, tracer, look.smooth, context);
   PageOptions options{.tone = look.tone, .title = look.title, .camera = camera};
-  options.hidden_backs = hidden_sides(baked.patches, baked.solution, tracer, context).back;
+  options.hidden_backs = hidden_sides.back;
   if (options.title.empty()) options.title = std::filesystem::path(output).stem().string();
   options.camera.up = up_of(look, baked.patches);  // a plan's own up is for a still picture
   export_page(output, baked.patches, baked.solution, light, groups, options);

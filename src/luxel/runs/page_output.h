@@ -19,7 +19,8 @@ struct PageInput {
   const Baked& baked;
   const SmoothLight& light;
   const std::shared_ptr<const SampleState>&
-      samples;           // stored by the run, or null; with them lamps are dimmed by groups
+      samples;  // stored by the run, or null; with them lamps are dimmed by groups
+  const FrontAndBack<std::uint8_t>& hidden_sides;
   const Camera& camera;  // where the page begins
 };
 

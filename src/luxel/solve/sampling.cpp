@@ -248,14 +248,13 @@ bool Sampling::take_direct_part(std::span<const std::uint8_t> doublings, int par
 
 // Hits can be traced again, but stored light cannot: memory beyond the limit would end the process.
 void Sampling::check_memory(std::uint64_t bytes, std::uint64_t held) const {
-  const auto free = free_memory();
-  if (free == 0 || bytes <= free + held) return;
+  const auto lack = lack_of_memory(static_cast<double>(bytes) - static_cast<double>(held));
+  if (lack.empty()) return;
   throw with_hints(
       InputError(fmt::format(
           "the light of {} patch sides in {} bands needs about {}: make fewer patches with a longer edge, or "
           "take fewer bands",
-          hits_->sides().size(), patches_.band_count(),
-          needed_of_free(static_cast<double>(bytes), static_cast<double>(free)))),
+          hits_->sides().size(), patches_.band_count(), lack)),
       {{Setting::max_edge}, {Setting::bands}});
 }
 

@@ -36,15 +36,13 @@ void throw_on_error(RTCDevice device, const char* what) {
   throw DeviceError(failed + "error " + std::to_string(static_cast<int>(error)));
 }
 
-// Allocations beyond the limits of a control group do not fail: the process ends.
 void check_memory(std::size_t patches) {
   constexpr double bytes_per_patch = 200.0;  // while the hierarchy is built
-  const auto needed = bytes_per_patch * static_cast<double>(patches);
-  const auto free = static_cast<double>(free_memory());
-  if (!(free > 0.0) || needed <= free) return;
+  const auto lack = lack_of_memory(bytes_per_patch * static_cast<double>(patches));
+  if (lack.empty()) return;
   throw with_hints(InputError(fmt::format("tracing rays through {} patches needs about {}: a longer edge is "
                                           "needed",
-                                          patches, needed_of_free(needed, free))),
+                                          patches, lack)),
                    {{Setting::max_edge}});
 }
 
