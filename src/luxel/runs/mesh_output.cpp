@@ -82,7 +82,9 @@ bool is_simplified(const MeshSettings& settings) {
 
 GlbDone write_lit_glb(const std::string& output, const GlbInput& glb, const OutputSettings& settings,
                       const RunPlace& place) {
-  const auto& [baked, light, hidden_sides, tracer] = glb;
+  const auto& baked = glb.baked;
+  const auto& light = glb.light;
+  const auto* tracer = glb.tracer;
   const auto& wish = settings.mesh;
   const auto& look = settings.look;
   auto mesh = wish.settings ? *wish.settings : MeshSettings{};
@@ -93,7 +95,7 @@ GlbDone write_lit_glb(const std::string& output, const GlbInput& glb, const Outp
                      "has those of the scene's file",
                      output));
   const auto up = up_of(look, baked.patches);
-  const auto hidden = hidden_sides ? *hidden_sides : FrontAndBack<std::uint8_t>{};
+  const auto hidden = glb.hidden_sides ? *glb.hidden_sides : FrontAndBack<std::uint8_t>{};
   const bool keeps =
       wish.scene && (mesh.keep_topology || is_gltf(wish.scene->source) || !wish.scene->textures.empty());
   if (!keeps && !mesh.on_pages()) {
