@@ -36,6 +36,15 @@ TEST(Interrupt, while_it_refines_writes_the_light_that_decided) {
   EXPECT_NE(info.out.find("mesh error"), std::string::npos) << info.out;
 }
 
+// No other file has the light, so that the mesh is waited for.
+TEST(Interrupt, while_it_refines_writes_a_mesh_that_alone_has_the_light) {
+  const auto folder = fresh_folder("interrupt_refined_mesh");
+  const auto run = run_interrupted(folder, "$LUXEL bake cornell-box.obj --mesh-error 0.05% -o a.glb",
+                                   "grep -q 'refine.*error' stderr.txt");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_EQ(run.out, "a.glb\n") << run.err;
+}
+
 // The picture takes longer than an interrupted run has, and can be made from the solution.
 TEST(Interrupt, of_the_solve_leaves_a_second_for_what_can_be_made_from_the_solution) {
   const auto folder = fresh_folder("interrupt_second");

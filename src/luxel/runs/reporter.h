@@ -31,8 +31,8 @@ class Reporter {
   virtual bool is_interrupted() const = 0;
   // From here on nothing is lost that took long to compute: an interrupt may end the program at once.
   virtual void light_is_safe() {}
-  // Of an interrupted run whose light is in a file: lets the program end a second after the interrupt,
-  // whatever it does then. Returns whether that second is over.
+  // Called after an interrupt, once a file has the light: the program ends a second after the interrupt,
+  // whatever is unfinished then. Returns whether that second is over.
   virtual bool is_second_over() { return false; }
 
   enum class Notes { shown, detailed };
