@@ -3,6 +3,7 @@
 // killed runs.
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,25 @@ TEST(Refusals, of_a_polygon_that_crosses_itself_everywhere_come_soon) {
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_NE(run.err.find("surfaces touch or pierce one another in so many places"), std::string::npos)
       << run.err;
+}
+
+// The default light is found with rays, each of which passes hundreds of these triangles.
+TEST(Refusals, of_a_heap_of_triangles_come_before_any_ray) {
+  const auto folder = fresh_folder("heap");
+  constexpr int triangles = 3000;
+  std::minstd_rand random(1);
+  std::uniform_int_distribution<int> place(0, 4999);
+  std::ofstream file(folder / "heap.obj");
+  for (int i = 0; i < 3 * triangles; ++i)
+    file << "v " << place(random) << ' ' << place(random) << ' ' << place(random) << '\n';
+  for (int i = 0; i < triangles; ++i)
+    file << "f " << 3 * i + 1 << ' ' << 3 * i + 2 << ' ' << 3 * i + 3 << '\n';
+  file.close();
+  const auto run = cli::run(folder, in_time + "$LUXEL bake heap.obj -o a.glb");
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_NE(run.err.find("surfaces touch or pierce one another in so many places"), std::string::npos)
+      << run.err;
+  EXPECT_EQ(run.err.find("lit by"), std::string::npos) << run.err;
 }
 
 TEST(Outputs, never_overwrite_what_a_run_reads) {

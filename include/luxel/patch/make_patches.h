@@ -55,6 +55,12 @@ struct PatchOptions {
 /// The monitor receives the stage "patches"; after its stop the set is empty.
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});
 
+/// Throws the InputError of make_patches() where surfaces touch or pass through each other in more places
+/// than PatchOptions::max_contacts; nothing where they are not to be cut. To be called before other work on a
+/// scene that nobody knows: where everything pierces everything, each ray passes hundreds of triangles. Cost:
+/// half of make_patches().
+void check_contacts(const Scene& scene, const PatchOptions& options, const Context& context = {});
+
 /// Returns the limit that PatchOptions::max_contacts means in a scene of this many triangles.
 std::size_t contact_budget(const PatchOptions& options, std::size_t triangles);
 

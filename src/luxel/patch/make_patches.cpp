@@ -253,6 +253,15 @@ std::size_t contact_budget(const PatchOptions& options, std::size_t triangles) {
                                   : std::max(per_triangle * triangles, of_small_scenes);
 }
 
+void check_contacts(const Scene& scene, const PatchOptions& options, const Context& context) {
+  if (!options.contacts) return;
+  check_memory(scene);
+  VertexWeld weld;
+  const auto triangles = clean_triangles(scene, weld, context.quiet()).kept;
+  find_contact_lines(triangles, weld.positions(), options.contact_gap,
+                     contact_budget(options, triangles.size()), context);
+}
+
 float automatic_max_edge(const Scene& scene, std::size_t target_count) {
   const auto all = shapes(scene);
   // The target limits the patches that splitting adds: triangles that are already finer stay unchanged.

@@ -34,6 +34,7 @@ void light_up(const SceneSettings& settings, Scene& scene, const Context& contex
               Method method) {
   for (const auto& group : move_luminaires_free(scene, context)) reporter.say("light", moved_text(group));
   if (!settings.daylight.adds_default_light()) return;
+  if (!has_light(scene)) check_contacts(scene, settings.patches, context);
   const auto added = add_default_light(scene, context, default_sky(method));
   if (added.kind != DefaultLightKind::not_needed)
     reporter.say("light", reporter.worded(added.as_text(), added.hints()));

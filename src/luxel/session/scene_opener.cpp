@@ -11,6 +11,7 @@
 #include "luxel/lamps/choose_portals.h"
 #include "luxel/lamps/luminaire_check.h"
 #include "luxel/patch/focus.h"
+#include "luxel/patch/make_patches.h"
 #include "luxel/patch/patch_tree.h"
 #include "luxel/patch/uncut_faces.h"
 #include "luxel/render/default_light.h"
@@ -31,6 +32,7 @@ SceneOpener::OpenedScene SceneOpener::open_scene() const {
   if (loaded.triangles.empty()) return opened;  // it was stopped: a scene without triangles is an error
   for (const auto& group : move_luminaires_free(loaded, context_)) context_.note(moved_text(group));
   if (settings_.adds_default_light) {
+    if (!has_light(loaded)) check_contacts(loaded, settings_.patches, context_);
     const auto added = add_default_light(loaded, context_, default_sky(settings_.light.method));
     if (added.kind != DefaultLightKind::not_needed) context_.note(added.as_text());
   }
