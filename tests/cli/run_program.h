@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include "luxel/core/output_file.h"
@@ -59,6 +60,18 @@ inline std::filesystem::path fresh_folder(const std::string& name) {
   for (const char* file : {"cornell-box.obj", "cornell-box.mtl", "cornell-spectra.csv"})
     std::filesystem::copy_file(std::filesystem::path(LUXEL_SOURCE_DIR "/scenes") / file, folder / file);
   return folder;
+}
+
+// Expects what an interrupt of the solve leaves: the solution a.vtkhdf, and the mesh a.glb whole or, where a
+// busy machine did not write it within its second, not at all.
+inline void expect_light_is_kept(const std::filesystem::path& folder, const Outcome& interrupted) {
+  EXPECT_EQ(interrupted.code, 3) << interrupted.err;
+  const auto info = run(folder, "$LUXEL info a.vtkhdf");
+  EXPECT_NE(info.out.find("stopped by user"), std::string::npos) << info.out << info.err;
+  if (std::filesystem::exists(folder / "a.glb"))
+    EXPECT_EQ(run(folder, "$LUXEL info a.glb").code, 0);
+  else
+    EXPECT_NE(interrupted.err.find("stopped: "), std::string::npos) << interrupted.err;
 }
 
 }  // namespace luxel::cli
