@@ -18,7 +18,7 @@ struct Baked;
 struct RenderOptions {
   int width = 1280;          ///< pixels
   int height = 960;          ///< pixels
-  int samples_per_side = 3;  ///< stratified: 3 means 9 rays per pixel
+  int samples_per_side = 3;  ///< stratified: 3 means 9 rays per pixel, and 36 where edges pass; at most 64
   std::uint64_t seed = 1;
 };
 
@@ -38,9 +38,11 @@ struct Picture {
   /// The sky as displays show it: bluer and darker towards the zenith, grey below the
   /// horizon. Empty without one.
   SkyPixels sky;
+  std::uint64_t rays = 0;  ///< of the camera
 };
 
-/// As render(), with the edges. Memory: 12 bytes per sample of a pixel on an edge, 768 at most.
+/// As render(), with the edges. With fewer than 8 samples per side, pixels on edges have samples in twice as
+/// many rows and columns, at most 8 by 8. Memory: 12 bytes per sample of a pixel on an edge, 768 at most.
 Picture render_picture(const PatchSet& patches, const SmoothLight& light, const Tracer& tracer,
                        const Camera& camera, const RenderOptions& options, const Context& context = {});
 

@@ -325,12 +325,13 @@ class OutputWriter {
       return with_sky(std::move(gathered), baked_.patches, *tracer_, *written_.camera, picture.render,
                       context);
     }
-    const auto side = static_cast<std::uint64_t>(picture.render.samples_per_side);
-    stage.rays = side * side * pixels;
-    if (picture.quantity == "illuminance")
-      return render_picture(white_patches(baked_.patches), *light_, *tracer_, *written_.camera,
-                            picture.render, context);
-    return render_picture(baked_.patches, *light_, *tracer_, *written_.camera, picture.render, context);
+    const auto render_of = [&](const PatchSet& patches) {
+      auto made = render_picture(patches, *light_, *tracer_, *written_.camera, picture.render, context);
+      stage.rays = made.rays;
+      return made;
+    };
+    if (picture.quantity == "illuminance") return render_of(white_patches(baked_.patches));
+    return render_of(baked_.patches);
   }
 
   const Baked& baked_;
