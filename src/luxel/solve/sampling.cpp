@@ -73,7 +73,7 @@ bool Sampling::start(const Solution& first_picture, const Monitor& monitor) {
   std::vector<std::uint32_t> all(hits_->sides().size());
   std::iota(all.begin(), all.end(), 0u);
   const auto first = first_samples(all.size(), options_.replicates);
-  if (!take_direct(all, first, monitor)) return false;
+  if (!take_direct(all, std::max(first, min_shadow_rays), monitor)) return false;
   const auto direct_rays = rays_;
   make_room(std::uint64_t{first} * options_.replicates * all.size());
   const auto traced = hits_->double_rays(all, first, context_.with_monitor(told));

@@ -9,6 +9,7 @@
 
 #include "luxel/core/none.h"
 #include "luxel/core/student.h"
+#include "luxel/solve/pool_units.h"
 #include "luxel/solve/tuning.h"
 #include "luxel/trace/place_views.h"
 #include "luxel/trace/seen_error.h"
@@ -51,10 +52,12 @@ class LeaveOneOut {
 }  // namespace
 
 SeenMeasure::SeenMeasure(const PatchSet& patches, const GatherSides& sides,
-                         std::span<const std::uint32_t> units, const Tracer& tracer, const Context& context)
+                         std::span<const std::uint32_t> units, const Tracer& tracer, const Context& context,
+                         Pooling pooling)
     : patches_(patches),
       sides_(sides),
       units_(units.begin(), units.end()),
+      pooling_(pooling),
       views_(place_views(patches, tracer, context)) {}
 
 double SeenMeasure::error_of(const Spread& answer) const {
@@ -156,28 +159,50 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
   uncertainty_ = error_ > 0.0 ? jackknife / error_ : 0.0;
 }
 
+double SeenMeasure::area_of(std::size_t receiver) const {
+  return static_cast<double>(patches_.area[sides_.side[receiver].patch()]);
+}
+
+std::vector<double> SeenMeasure::densities(std::span<const double> of_seen) const {
+  std::vector<double> hits(of_seen.size(), 0.0);
+  for (const auto code : views_.dealing.seen)
+    if (code < Views::sky) hits[code] += 1.0;
+  std::vector<SeenUnit> at(sides_.size());  // [receiver]
+  for (std::size_t i = 0; i < of_seen.size(); ++i) {
+    const auto receiver = sides_.receiver_of_side[views_.dealing.sides[i].index()];
+    if (receiver != none) at[receiver] = {hits[i], of_seen[i]};
+  }
+  std::vector<SeenUnit> units(units_.size() - 1);
+  std::size_t fronts = 0;  // units
+  for (std::size_t u = 0; u < units.size(); ++u) {
+    if (units_[u] < sides_.fronts) fronts = u + 1;
+    for (auto s = units_[u]; s < units_[u + 1]; ++s) {
+      units[u].hits += at[s].hits;
+      units[u].sum += at[s].sum;
+      units[u].area += area_of(s);
+    }
+  }
+  if (pooling_ == Pooling::unit) {
+    std::vector<double> own;
+    for (const auto& unit : units) own.push_back(unit.sum / unit.area);
+    return own;
+  }
+  auto density = pooled_densities(std::span(units).first(fronts));
+  const auto of_backs = pooled_densities(std::span(units).subspan(fronts));
+  density.insert(density.end(), of_backs.begin(), of_backs.end());
+  return density;
+}
+
 void SeenMeasure::spread_importance(std::span<const double> of_seen, const Spread& answer) {
   const auto bands = patches_.band_count();
   const auto scale = 1.0 / (squared(std::numbers::pi) * static_cast<double>(bands));
   const bool black = reflects_nothing(patches_, views_.stating);
-  std::vector<double> own(sides_.size(), 0.0);
-  for (std::size_t i = 0; i < of_seen.size(); ++i) {
-    const auto receiver = sides_.receiver_of_side[views_.dealing.sides[i].index()];
-    if (receiver != none) own[receiver] = of_seen[i];
-  }
+  const auto density = densities(of_seen);
   importance_.assign(sides_.size(), 0.0);
   double seen = 0.0;   // sum of importance * variance
   double whole = 0.0;  // sum of area * variance
-  const auto area = [&](std::size_t receiver) {
-    return static_cast<double>(patches_.area[sides_.side[receiver].patch()]);
-  };
+  const auto area = [this](std::size_t receiver) { return area_of(receiver); };
   for (std::size_t u = 0; u + 1 < units_.size(); ++u) {
-    double sum = 0.0;
-    double unit_area = 0.0;
-    for (auto s = units_[u]; s < units_[u + 1]; ++s) {
-      sum += own[s];
-      unit_area += area(s);
-    }
     for (auto s = units_[u]; s < units_[u + 1]; ++s) {
       double rho2 = 0.0;
       double tau2 = 0.0;
@@ -185,10 +210,10 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
         rho2 += black ? 1.0 : squared(static_cast<double>(patches_.reflectance(sides_.side[s].patch(), b)));
         tau2 += squared(static_cast<double>(patches_.diffuse_transmittance(sides_.side[s].patch(), b)));
       }
-      importance_[s] += scale * rho2 / static_cast<double>(bands) * sum / unit_area * area(s);
+      importance_[s] += scale * rho2 / static_cast<double>(bands) * density[u] * area(s);
       const auto far = sides_.receiver_of_side[sides_.side[s].opposite().index()];
       if (tau2 > 0.0 && far != none)
-        importance_[far] += scale * tau2 / static_cast<double>(bands) * sum / unit_area * area(s);
+        importance_[far] += scale * tau2 / static_cast<double>(bands) * density[u] * area(s);
     }
   }
   for (std::size_t s = 0; s < importance_.size(); ++s) {
@@ -207,7 +232,9 @@ SeenSides seen_sides(const PatchSet& patches, const Tracer& tracer, const SideVa
                      const FrontAndBack<double>& squared_error, const Context& context) {
   const auto sides = all_gather_sides(patches, make_patch_tree(patches, context));
   const auto units = neighbour_begins(sides, sequence_positions);
-  SeenMeasure measure(patches, sides, units, tracer, context);
+  // Errors of the mesh differ from side to side, and count where they are seen: none is to count for a side
+  // that is hidden next to a bright one.
+  SeenMeasure measure(patches, sides, units, tracer, context, SeenMeasure::Pooling::unit);
   if (!measure.has_views()) return {};
   const auto bands = patches.band_count();
   Spread answer;

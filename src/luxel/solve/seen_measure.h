@@ -20,11 +20,15 @@ namespace luxel {
 // The seen error of a sampled solve, and which receivers it needs more rays for.
 class SeenMeasure {
  public:
+  // The importance of a unit of receivers is that of what the views meet there, or, for units that few
+  // directions meet, in part that of its neighbourhood (pooled_densities()).
+  enum class Pooling { unit, neighbourhood };
+
   // Places the views by the current patches; later calls use the lamps and reflectances of their time. See
   // place_views() for the cost. units: as neighbour_begins() gives them, the receivers whose importance is
   // pooled. Keeps references to patches and sides. All processes make the same.
   SeenMeasure(const PatchSet& patches, const GatherSides& sides, std::span<const std::uint32_t> units,
-              const Tracer& tracer, const Context& context);
+              const Tracer& tracer, const Context& context, Pooling pooling = Pooling::neighbourhood);
 
   // False where the scene has no open space: then there is no seen error.
   bool has_views() const { return !views_.empty(); }
@@ -57,11 +61,15 @@ class SeenMeasure {
   SeenLight light_of(const Views& views, const Spread& answer) const;
   void estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
                             Replicates direct, Replicates gathered, const Context& context);
+  double area_of(std::size_t receiver) const;  // m²
+  // Of the importance of the sides of Views::sides, (m² / W)² per m²: [unit].
+  std::vector<double> densities(std::span<const double> of_seen) const;
   void spread_importance(std::span<const double> of_seen, const Spread& answer);
 
   const PatchSet& patches_;
   const GatherSides& sides_;
   std::vector<std::uint32_t> units_;
+  Pooling pooling_;
   ViewSets views_;
   double error_ = 0.0, uncertainty_ = 0.0;
   std::vector<double> importance_;

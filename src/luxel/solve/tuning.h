@@ -28,6 +28,10 @@ namespace first_samples {
 
 // Shadow rays, and gather rays, of the first samples at least: some hundredths of a second.
 constexpr std::uint64_t min_rays = 1 << 17;
+// Shadow rays of each side and replicate among these, at least. Where one of eight tells which part of the
+// lamps is seen, all replicates follow it (direct_light.h): with 1, sides that get no more show as bright
+// specks.
+constexpr std::uint32_t min_shadow_rays = 4;
 // Neighbouring receivers whose shadow rays are doubled together: those that share one scrambled sequence.
 constexpr std::uint32_t unit_positions = sequence_positions;
 
@@ -130,6 +134,9 @@ namespace seen {
 // Part of the importance that goes by area alone, for light that reaches the views by surfaces that they do
 // not see.
 constexpr double area_fraction = 0.05;
+
+// Weight of a neighbourhood's density of importance in that of its half, in directions; see pool_units.h.
+constexpr double prior_hits = 1.0;
 
 }  // namespace seen
 
