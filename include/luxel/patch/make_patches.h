@@ -29,7 +29,7 @@ struct PatchOptions {
   std::size_t target_count = 50'000;
   std::size_t max_count = 20'000'000;  ///< more is an InputError with a max_edge that fits
   bool contacts = true;  ///< cut where surfaces touch or pass through each other, or hang close before them
-  /// Lines, and patches that these add, where surfaces touch: more is an InputError. 0: 20 per triangle, at
+  /// Lines, and patches that these add, where surfaces touch: more is an InputError. 0: 12 per triangle, at
   /// least 200,000.
   std::size_t max_contacts = 0;
   float contact_gap = 1e-4f;  ///< m; surfaces so near touch (at most a hundredth of their shortest edge)

@@ -248,7 +248,7 @@ void say_what_was_cut(std::span<const ContactLine> lines, std::size_t before, co
 }  // namespace
 
 std::size_t contact_budget(const PatchOptions& options, std::size_t triangles) {
-  constexpr std::size_t per_triangle = 20, of_small_scenes = 200'000;
+  constexpr std::size_t per_triangle = 12, of_small_scenes = 200'000;
   return options.max_contacts > 0 ? options.max_contacts
                                   : std::max(per_triangle * triangles, of_small_scenes);
 }
