@@ -56,8 +56,8 @@ struct PatchOptions {
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});
 
 /// Throws the InputError of make_patches() where surfaces touch or pass through each other in more places
-/// than PatchOptions::max_contacts; nothing where they are not to be cut. To be called before other work on a
-/// scene that nobody knows: where everything pierces everything, each ray passes hundreds of triangles. Cost:
+/// than PatchOptions::max_contacts allows. Does nothing if PatchOptions::contacts is false. Call it before
+/// tracing rays in an untrusted scene: if most triangles intersect, each ray tests hundreds of them. Cost:
 /// half of make_patches().
 void check_contacts(const Scene& scene, const PatchOptions& options, const Context& context = {});
 

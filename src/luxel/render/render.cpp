@@ -33,7 +33,7 @@ constexpr std::size_t pixels_per_chunk = 64;
 // Pixels with edges get samples in twice as many rows and columns, up to this many: nine samples show a crack
 // between two boards as dots.
 constexpr int fine_rows = 8;
-// Of the time of a picture with such pixels, the estimated part of the others.
+// Estimated fraction of the rendering time spent before those pixels get their additional samples.
 constexpr double coarse_part = 0.75;
 
 // Parts of a pixel on an edge: one per sample up to here, 768 bytes per pixel.
@@ -90,7 +90,7 @@ struct PixelParts {
   std::vector<float> light;   // of radiance_at()
 };
 
-// Of a pixel with samples in so many rows and columns.
+// Returns the number of parts of a pixel sampled on a grid of rows x rows cells.
 std::size_t parts_per_pixel(int rows) { return std::min(max_parts, static_cast<std::size_t>(rows * rows)); }
 
 int rows_on_edges(const RenderOptions& options) {
@@ -128,8 +128,8 @@ void add_if_edge(std::uint32_t pixel, int rows, PixelParts& parts) {
   append_parts(parts.samples, parts_per_pixel(rows), parts.edges.radiance);
 }
 
-// The mean over the pixel's square (a box filter), one jittered sample in each cell of a grid of so many rows
-// and columns. Grids of different numbers are independent.
+// The mean over the pixel's square (a box filter), one jittered sample in each cell of a grid of side x side.
+// The samples of grids of different sizes are independent.
 Vec3 pixel_radiance(const Shot& shot, std::uint32_t pixel, int side, PixelParts& parts) {
   const auto width = static_cast<std::uint32_t>(shot.options.width);
   const auto x = static_cast<int>(pixel % width), y = static_cast<int>(pixel / width);

@@ -6,7 +6,7 @@
 
 namespace luxel {
 
-// What the directions of some views met in a unit of neighbouring sides.
+// Statistics of the view directions that meet a unit of neighbouring sides.
 struct SeenUnit {
   double hits = 0.0;  // directions
   double sum = 0.0;   // over these, of the quantity in question

@@ -62,7 +62,8 @@ class SeenMeasure {
   void estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
                             Replicates direct, Replicates gathered, const Context& context);
   double area_of(std::size_t receiver) const;  // m²
-  // Of the importance of the sides of Views::sides, (m² / W)² per m²: [unit].
+  // Returns the importance per area of each unit, (m² / W)² per m². of_seen: importance of each of
+  // Views::sides.
   std::vector<double> densities(std::span<const double> of_seen) const;
   void spread_importance(std::span<const double> of_seen, const Spread& answer);
 
