@@ -56,6 +56,7 @@ TEST(Interrupt, of_the_solve_leaves_a_second_for_what_can_be_made_from_the_solut
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
+// Where the machine is so busy that one tile of the picture takes a second, the program ends amid it.
 TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
   const auto folder = fresh_folder("interrupt_picture");
   const auto run = run_interrupted(
@@ -64,7 +65,8 @@ TEST(Interrupt, while_it_draws_keeps_the_light_and_writes_no_half_picture) {
       "-o a.png -o a.vtkhdf",
       "test -e a.vtkhdf", "0.5");
   EXPECT_EQ(run.code, 3) << run.err;
-  EXPECT_NE(run.err.find("the picture was not finished"), std::string::npos) << run.err;
+  const bool is_ended = run.err.find("stopped: no further file is written") != std::string::npos;
+  EXPECT_NE(is_ended, run.err.find("the picture was not finished") != std::string::npos) << run.err;
   EXPECT_EQ(run.out, "a.vtkhdf\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }

@@ -205,6 +205,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"$LUXEL bake cornell-box.obj --frobnicate", 2,
                "no option '--frobnicate'; 'luxel bake --help-all'"},
         Misuse{"$LUXEL bake cornell-box.obj -error 5%", 2, "no option '-error', did you mean '--error'?"},
+        Misuse{"$LUXEL bake cornell-box.obj --resolution 640x480", 2,
+               "'--resolution', did you mean '--width'?"},
         Misuse{"$LUXEL bake cornell-box.obj --quali draft", 2, "'--quali', did you mean '--quality'?"},
         Misuse{"$LUXEL bake cornell-box.obj -x", 2, "no option '-x'"},
         Misuse{"$LUXEL bake cornell-box.obj --error", 2, "--error needs a value: <fraction>"},

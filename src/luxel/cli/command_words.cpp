@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,17 @@ struct Known {
   std::string name;
   std::string unit;  // empty: takes no value
   char letter = 0;
+};
+
+// Names of such options in other programs, and here.
+constexpr std::pair<const char*, const char*> other_names[] = {
+    {"size", "width"},        {"resolution", "width"}, {"res", "width"},          {"spp", "samples"},
+    {"noise", "error"},       {"accuracy", "error"},   {"precision", "error"},    {"camera", "eye"},
+    {"position", "eye"},      {"lookat", "target"},    {"look-at", "target"},     {"cores", "threads"},
+    {"jobs", "threads"},      {"timeout", "time"},     {"time-limit", "time"},    {"environment", "sky"},
+    {"env", "sky"},           {"hdri", "sky"},         {"up-axis", "up"},         {"unit", "scale"},
+    {"units", "scale"},       {"format", "output"},    {"subdivide", "max-edge"}, {"tonemap", "tone"},
+    {"tone-mapping", "tone"}, {"silent", "quiet"},     {"max-memory", "memory"},  {"preset", "quality"},
 };
 
 std::vector<Known> options_of(const OptionSet& command) {
@@ -81,11 +93,19 @@ class WordCheck {
     return option == options_.end() ? nullptr : &*option;
   }
 
+  // The command's option that other programs call so, or the name itself.
+  std::string own_name(const std::string& name) const {
+    for (const auto& [other, own] : other_names)
+      if (name == other && named(own)) return own;
+    return name;
+  }
+
   [[noreturn]] void refuse(const std::string& typed, const std::string& name) const {
     std::vector<std::string> names;
     for (const auto& o : options_) names.push_back(o.name);
+    const auto wanted = own_name(name);
     throw UsageError(fmt::format("there is no option '{}'{}; 'luxel {} --help-all' lists the options", typed,
-                                 did_you_mean(name, names, "--"), command_.name()));
+                                 did_you_mean(wanted, names, "--"), command_.name()));
   }
 
   const OptionSet& command_;

@@ -60,6 +60,7 @@ Console::Console(const RunSettings& run)
       verbose_(run.verbose),
       as_json_(run.progress == "json"),
       terminal_(is_terminal(error_output)),
+      lists_files_(!quiet_ && !run.json && !(is_read() && is_terminal_device(standard_output))),
       paint_(paint_for(error_output)) {
   const auto wanted = run.threads > 0 ? run.threads : static_cast<int>(std::thread::hardware_concurrency());
   if (const auto started = startable_threads(wanted); started < wanted)
@@ -83,6 +84,12 @@ void Console::say(const std::string& label, const std::string& text) {
 
 void Console::detail(const std::string& label, const std::string& text) {
   if (verbose_) say(label, text);
+}
+
+void Console::wrote(const std::string& file) {
+  if (!lists_files_) return;
+  clear_bar();
+  print_result(file + "\n");
 }
 
 LogSink Console::log_as(Notes notes) {

@@ -16,8 +16,8 @@ struct RunSettings;
 
 // Messages of the program while it works, on the standard error stream: short lines that begin with a
 // label, and a progress bar on a terminal or occasional lines elsewhere; with --progress json one line
-// of JSON per message for other programs. With --quiet only errors. Results go to the standard output
-// and never through here.
+// of JSON per message for other programs. With --quiet only errors. Of results, which go to the standard
+// output, only the names of written files come from here.
 class Console final : public Reporter {
  public:
   Console();
@@ -29,6 +29,9 @@ class Console final : public Reporter {
   void say(const std::string& label, const std::string& text) override;
   // Prints such a line with --verbose only.
   void detail(const std::string& label, const std::string& text) override;
+  // Prints the name of a file to the standard output, for programs; not with --quiet or --json, nor where the
+  // same terminal shows it at the end of the run.
+  void wrote(const std::string& file) override;
   // Shows a stage of unknown progress on a terminal, until the next message or bar.
   void announce(const std::string& stage) override;
   // Removes the bar from the screen.
@@ -55,6 +58,7 @@ class Console final : public Reporter {
   bool verbose_;
   bool as_json_;
   bool terminal_;
+  bool lists_files_;
   TextPaint paint_;
   bool bar_shown_ = false;
   std::string stage_;

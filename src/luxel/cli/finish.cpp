@@ -9,7 +9,6 @@
 #include "luxel/cli/desktop.h"
 #include "luxel/cli/streams.h"
 #include "luxel/core/output_file.h"
-#include "luxel/core/standard_streams.h"
 
 namespace luxel {
 
@@ -21,22 +20,12 @@ void report_end(const RunRecord& record, const std::vector<std::string>& files, 
   console.say("time", record.summary());
 }
 
-void print_files(const std::vector<std::string>& files, const RunSettings& run, const Console& console) {
-  const bool is_shown =
-      console.is_read() && is_terminal_device(standard_output);  // by report_end(), beside it
-  if (run.quiet || is_shown) return;
-  for (const auto& file : files) print_result(file + "\n");
-}
-
 void finish(const RunReport& report, const RunSettings& run, Console& console) {
   report_end(*report.record, report.outputs, accuracy_text(report), console);
   // One text for both: it states the memory of this moment.
   const auto json = report.as_json();
   if (!run.report.empty()) write_file(run.report, json);
-  if (run.json)
-    print_result(json);
-  else
-    print_files(report.outputs, run, console);
+  if (run.json) print_result(json);
   if (run.opens) open_one_of(report.outputs, console);
 }
 

@@ -17,12 +17,7 @@ namespace luxel {
 void report_end(const RunRecord& record, const std::vector<std::string>& files, const std::string& accuracy,
                 Console& console);
 
-// Prints the written files to the standard output, one per line, for programs; not with --quiet, nor where
-// the same terminal already shows them.
-void print_files(const std::vector<std::string>& files, const RunSettings& run, const Console& console);
-
-// Ends a command that wrote files: the lines above; the report as JSON or, without it,
-// the files; then --open.
+// Ends a command that wrote files: the lines above; the report as JSON; then --open.
 void finish(const RunReport& report, const RunSettings& run, Console& console);
 
 // Writes the outputs of a command that has a solution and finishes. Returns the exit code.

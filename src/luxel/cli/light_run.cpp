@@ -66,8 +66,10 @@ int LightRun::run(BakeStart& start, const Scene* scene) {
     failure = std::current_exception();
   }
   auto written = write_outputs(baked, &stage.tracer(), outputs, place, {samples.get(), samples});
-  for (const auto& file : steps.write(baked, stage.tracer(), written.camera, outputs, place))
+  for (const auto& file : steps.write(baked, stage.tracer(), written.camera, outputs, place)) {
     written.files.push_back(file);
+    console_.wrote(file);
+  }
   if (failure) std::rethrow_exception(failure);
   finish({.command = options_.name(),
           .baked = &baked,

@@ -104,10 +104,12 @@ class LightmapCommand final : public Command {
         "write", [&](auto&) { return write(lightmap, console.reporting(context, !interrupted())); });
     console.clear_bar();
     if (files.empty()) return stopped_before_light(console);
+    for (const auto& file : files) console.wrote(file);
     if (!settings_.unwrapped.empty()) {
       if (!record.stage("mesh", [&](auto&) { return write_unwrapped(baked, solved, *made, context); }))
         return stopped_before_light(console);
       files.push_back(settings_.unwrapped);
+      console.wrote(settings_.unwrapped);
     }
     std::optional<Camera> camera;
     if (!settings_.preview.empty()) {
@@ -121,6 +123,7 @@ class LightmapCommand final : public Command {
                       look_.tone);
       });
       files.push_back(settings_.preview);
+      console.wrote(settings_.preview);
     }
     finish({.command = options().name(),
             .baked = &baked,

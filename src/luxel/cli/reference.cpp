@@ -204,6 +204,7 @@ class Reference final : public Command {
       record.stage("write " + ending_of(output).substr(1),
                    [&](auto&) { write_picture(output, shown, look_.tone); });
       report.outputs.push_back(output);
+      console.wrote(output);
     };
     for (const auto& output : run_.outputs)
       if (is_picture(output))

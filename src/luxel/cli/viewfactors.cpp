@@ -93,16 +93,14 @@ class ViewFactorsCommand final : public Command {
     for (const auto& output : run_.outputs) {
       record.stage("write " + ending_of(output).substr(1), [&](auto&) { write(output, *factors, note); });
       report.outputs.push_back(output);
+      console.wrote(output);
     }
     report.options = &options();
     report.record = &record;
     report_end(record, report.outputs, {}, console);
     const auto json = report.as_json();
     if (!run_.report.empty()) write_file(run_.report, json);
-    if (run_.json)
-      print_result(json);
-    else
-      print_files(report.outputs, run_, console);
+    if (run_.json) print_result(json);
     return fell_short(report) ? exit_stopped_early : exit_fine;
   }
 

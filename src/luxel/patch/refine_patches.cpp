@@ -2,6 +2,7 @@
 #include "luxel/patch/refine_patches.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
 #include <tuple>
@@ -21,6 +22,9 @@ constexpr double shortest = 0x1p-18;  // of an edge's largest coordinate
 // Edges of a marked patch below this fraction of its longest edge are not halved, so that the parts of a
 // needle are wider for their length than the needle.
 constexpr double min_halved = 0.4;
+// A patch whose shortest edge is below this fraction of its longest one is a needle.
+constexpr double max_needle = 0.1;
+constexpr float min_flat_cosine = 0.9998f;  // 1 degree
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -57,16 +61,17 @@ class EdgeCuts {
   // halved too.
   void mark(std::span<const std::uint8_t> is_marked) {
     for (std::uint32_t p = 0; p < patches_.size(); ++p)
-      if (is_marked[p] != 0) {
-        const auto least = min_halved * min_halved * length2(edges_[edge(p, longest(p))]);
-        for (std::uint32_t k = 0; k < 3; ++k)
-          if (length2(edges_[edge(p, k)]) >= least) halve(edge(p, k));
-      }
+      if (is_marked[p] != 0) halve_long_edges(p);
     while (!open_.empty()) {
       const auto e = open_.back();
       open_.pop_back();
-      for (auto i = begins_[e]; i < begins_[e + 1]; ++i)
-        halve(edge(corners_[i] / 3, longest(corners_[i] / 3)));
+      for (auto i = begins_[e]; i < begins_[e + 1]; ++i) {
+        const auto patch = corners_[i] / 3;
+        if (is_long_edge_of_needle(e, patch) && lies_between_coplanar(patch))
+          halve_long_edges(patch);
+        else
+          halve(edge(patch, longest(patch)));
+      }
     }
   }
 
@@ -104,6 +109,36 @@ class EdgeCuts {
   double length2(const Edge& e) const {
     const auto d = Vec3d(patches_.vertices[e[1]]) - Vec3d(patches_.vertices[e[0]]);
     return glm::dot(d, d);
+  }
+
+  void halve_long_edges(std::uint32_t patch) {
+    const auto least = min_halved * min_halved * length2(edges_[edge(patch, longest(patch))]);
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (length2(edges_[edge(patch, k)]) >= least) halve(edge(patch, k));
+  }
+
+  bool is_long_edge_of_needle(std::uint32_t e, std::uint32_t patch) const {
+    const auto lengths = std::array{length2(edges_[edge(patch, 0)]), length2(edges_[edge(patch, 1)]),
+                                    length2(edges_[edge(patch, 2)])};
+    const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
+    return *least < max_needle * max_needle * *most && length2(edges_[e]) > *least;
+  }
+
+  // Whether the surface goes on in the plane of a patch at each of its long edges.
+  bool lies_between_coplanar(std::uint32_t patch) const {
+    const auto least = min_halved * min_halved * length2(edges_[edge(patch, longest(patch))]);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const auto e = edge(patch, k);
+      if (length2(edges_[e]) < least) continue;
+      bool goes_on = false;
+      for (auto i = begins_[e]; i < begins_[e + 1]; ++i) {
+        const auto other = corners_[i] / 3;
+        goes_on = goes_on || (other != patch && std::abs(glm::dot(patches_.normal[other],
+                                                                  patches_.normal[patch])) > min_flat_cosine);
+      }
+      if (!goes_on) return false;
+    }
+    return true;
   }
 
   void halve(std::uint32_t e) {

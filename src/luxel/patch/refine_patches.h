@@ -26,7 +26,9 @@ inline bool is_part(std::span<const std::uint32_t> parent, std::size_t patch) {
 // four-triangle partition), so that angles do not degrade over any number of refinements. Edges shorter than
 // 0.4 of the longest stay: needles are cut in three, and their parts are wider for their length. A neighbour
 // at a halved edge is cut there too, and at its own longest edge, so that refinement adds no T-junctions: no
-// vertex lies within another patch's edge that did not before. Edges at the resolution of floats are not cut.
+// vertex lies within another patch's edge that did not before. A needle between patches of its plane is cut
+// at both long edges, as light goes on across it: so both neighbours have the vertex. Edges at the resolution
+// of floats are not cut.
 //
 // is_marked: [patch]. Unaffected patches keep their place in the order; parts take the place of the whole
 // patch. Contacts are inherited by the halves of their edge. Cost: a sort of the edges, about half a second

@@ -168,6 +168,7 @@ class OutputWriter {
     place_.reporter.clear_bar();
     if (!is_written) return skip(output, "pages of light were not finished");
     written_.files.push_back(output);
+    place_.reporter.wrote(output);
   }
 
   // After an interrupt of the solve, outputs are written all the same.

@@ -21,6 +21,8 @@ class Reporter {
   virtual void say(const std::string& label, const std::string& text) = 0;
   // Reports a detail, which is shown only on request.
   virtual void detail(const std::string& label, const std::string& text) = 0;
+  // Receives each file that is written whole.
+  virtual void wrote(const std::string& /*file*/) {}
   // Begins a stage of unknown progress.
   virtual void announce(const std::string& stage) = 0;
   // Ends that stage.

@@ -13,8 +13,9 @@
 namespace luxel {
 namespace {
 
-constexpr float max_width = 0.02f;          // of a needle and of a group, over the needle's longest edge
+constexpr float max_width = 0.1f;          // of a needle and of a group, over the needle's longest edge
 constexpr float min_flat_cosine = 0.9998f;  // 1 degree
+constexpr double max_bent_area = 0.1;       // of the area around a node
 
 // The short edge of a needle, from a corner to the next one.
 struct ShortEdge {
@@ -35,7 +36,12 @@ ShortEdge short_edge(const PatchSet& patches, std::size_t patch) {
 class Groups {
  public:
   Groups(const PatchSet& patches, const SideNodes& nodes)
-      : patches_(patches), nodes_(nodes), sets_(nodes.size()), boxes_(nodes.size()), vertex_(nodes.size()) {
+      : patches_(patches),
+        nodes_(nodes),
+        sets_(nodes.size()),
+        boxes_(nodes.size()),
+        vertex_(nodes.size()),
+        normal_(nodes.size()) {
     for (std::uint32_t v = 0; v < patches.vertices.size(); ++v)
       for (auto node = nodes.first[v]; node < nodes.first[v + 1]; ++node) {
         boxes_[node].add(patches.vertices[v]);
@@ -67,12 +73,22 @@ class Groups {
 
   const Vec3& vertex_of(std::uint32_t node) const { return patches_.vertices[vertex_[node]]; }
 
+  // Whether a side lies in the plane of the needles at a node that is in a group.
+  bool is_beside(std::uint32_t node, SideId side) const { return is_parallel(side, normal_[node]); }
+
  private:
+  bool is_parallel(SideId side, const Vec3& normal) const {
+    return glm::dot(patches_.normal_of(side), normal) > min_flat_cosine;
+  }
+
   bool is_flat(std::uint32_t node, const Vec3& normal) const {
-    const auto members = nodes_.at(node);
-    return std::all_of(members.begin(), members.end(), [&](const SideNodes::Member& m) {
-      return glm::dot(patches_.normal_of(m.side), normal) > min_flat_cosine;
-    });
+    double whole = 0.0, bent = 0.0;
+    for (const auto& m : nodes_.at(node)) {
+      const auto area = static_cast<double>(patches_.area[m.side.patch()]);
+      whole += area;
+      if (!is_parallel(m.side, normal)) bent += area;
+    }
+    return bent <= max_bent_area * whole;
   }
 
   void join(SideId side, const ShortEdge& edge) {
@@ -86,6 +102,7 @@ class Groups {
     if (glm::distance(box.low, box.high) > max_width * edge.longest) return;
     sets_.join(a, b);
     boxes_[sets_.of(a)] = box;
+    for (const auto node : ends) normal_[node] = normal;
   }
 
   const PatchSet& patches_;
@@ -93,6 +110,7 @@ class Groups {
   DisjointSets sets_;
   std::vector<Bounds> boxes_;          // [node], of its group where it is the lowest of it
   std::vector<std::uint32_t> vertex_;  // [node]
+  std::vector<Vec3> normal_;           // [node], of a needle that joined it
 };
 
 }  // namespace
@@ -109,7 +127,7 @@ NeedleNodes::NeedleNodes(const PatchSet& patches, const SideNodes& nodes) : list
           if (other == node || std::find(known.begin(), known.end(), m.side) != known.end()) continue;
           known.push_back(m.side);
           const auto patch = m.side.patch();
-          if (short_edge(patches, patch).longest > 0.0f) continue;
+          if (short_edge(patches, patch).longest > 0.0f || !groups.is_beside(node, m.side)) continue;
           far.push_back({m.side, barycentric(patches.points(patch), groups.vertex_of(node))});
         }
       if (far.empty()) continue;

@@ -17,8 +17,9 @@ namespace luxel {
 // either side of it do, and light on a flat surface cannot change over its width.
 //
 // The two ends of a needle's short edge, and all nodes that such edges connect, are a group: flat within 1
-// degree, and no wider than 1/50 of the longest edge of each needle in it. A node's far sides are those at
-// the other nodes of its group that are no needles themselves.
+// degree but for a tenth of the area around a node, such as the bevel of a window's edge, and no wider than
+// 1/10 of the longest edge of each needle in it. A node's far sides are those at the other nodes of its group
+// that are no needles themselves and lie in its plane.
 class NeedleNodes {
  public:
   struct FarSide {

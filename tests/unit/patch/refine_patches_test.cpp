@@ -95,6 +95,29 @@ TEST(RefinePatches, needles_are_cut_across_in_three) {
   }
 }
 
+// A panel of 1 x 1 m, a strip of 1 cm, and another panel, which is turned about the strip's edge. The patch
+// of the first panel at the strip is marked; returns the vertices on the edge of the other one.
+std::size_t vertices_across_a_strip(float degrees) {
+  const auto dx = std::cos(glm::radians(degrees)), dz = std::sin(glm::radians(degrees));
+  truth::SceneBuilder b;
+  b.material("m", 0.5f, 1.0f);
+  b.triangle({-1, 0, 0}, {0, 0, 0}, {0, 1, 0}).triangle({-1, 0, 0}, {0, 1, 0}, {-1, 1, 0});
+  b.triangle({0, 0, 0}, {0.01f, 0, 0}, {0.01f, 1, 0}).triangle({0, 0, 0}, {0.01f, 1, 0}, {0, 1, 0});
+  b.triangle({0.01f, 0, 0}, {0.01f + dx, 0, dz}, {0.01f, 1, 0});
+  const auto patches = make_patches(b.scene(), {.max_edge = no_max_edge});
+  EXPECT_EQ(patches.size(), 5u);
+  const auto refined = refine_patches(patches, std::vector<std::uint8_t>{1, 0, 0, 0, 0}).patches;
+  const auto& all = refined.vertices;
+  const auto at_strip = [](float x) { return [x](const Vec3& v) { return std::abs(v.x - x) < 1e-6f; }; };
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), at_strip(0.0f)), 3);
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), at_strip(0.01f)));
+}
+
+TEST(RefinePatches, needles_between_panels_of_one_plane_are_cut_for_both) {
+  EXPECT_EQ(vertices_across_a_strip(0.0f), 3u);
+  EXPECT_EQ(vertices_across_a_strip(60.0f), 2u);
+}
+
 TEST(RefinePatches, without_marks_it_is_the_same_set) {
   const auto patches = make_patches(truth::l_room(), {.max_edge = 0.6f});
   const auto same = refine_patches(patches, std::vector<std::uint8_t>(patches.size(), 0)).patches;

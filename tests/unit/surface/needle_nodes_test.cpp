@@ -62,6 +62,18 @@ TEST(NeedleNodes, across_a_bend_the_light_may_differ) {
   EXPECT_EQ(far_sides(panels(5.0f)), 0u);
 }
 
+TEST(NeedleNodes, a_narrow_bevel_at_one_end_does_not_part_them) {
+  auto lit = panels(0.0f);
+  const auto above = lit.vertex({1 + gap, 1.0018f, 0.0008f}),
+             beside = lit.vertex({2 + gap, 1.0018f, 0.0008f});
+  const std::uint32_t e = 4, g = 6;  // the upper edge of the right panel
+  lit.patch({e, g, beside}, 9.0f);
+  lit.patch({e, beside, above}, 9.0f);
+  EXPECT_EQ(far_sides(lit), 6u);
+  const auto light = make_smooth_light(lit.patches, lit.solution);
+  EXPECT_NEAR(light_at(light, 0, 2), light_at(light, 3, 2), 0.05f);
+}
+
 TEST(NeedleNodes, of_needles_alone_each_is_as_good_as_the_others) {
   test::LitPatches lit;
   for (int i = 0; i < 6; ++i) lit.vertex({i % 2 == 0 ? 0.0f : 1.0f, 0.01f * static_cast<float>(i), 0});
