@@ -91,6 +91,9 @@ async function start() {
     page.probe.place();
     page.labels.drawn(look, page.view.scale);
     document.documentElement.dataset.state = 'ready';
+    delete document.documentElement.dataset.picture;
+  }, () => {
+    document.documentElement.dataset.picture = 'smooth';
   });
   page.navigation = new Navigation(canvas, scene, () => page.view.ask());
   page.probe = new Probe(scene, look, page.navigation, page.view.luminaires);

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture: drawn when something has changed, and only then.
+// The picture: drawn when something has changed, and smoothed while nothing does.
 import { ColorManagement, LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three';
 import { Luminaires } from './luminaires.js';
 import { Sky } from './sky.js';
+import { Smoothing } from './smoothing.js';
 import { Surfaces } from './surfaces.js';
 import { automaticScale, levelsOf, shareOf, toneScale } from './tone.js';
 
 const luminance = [0.2126, 0.7152, 0.0722];
 
 export class View {
-  // drawn: called after each picture.
-  constructor(canvas, scene, look, drawn) {
+  // drawn: called after each picture; smoothed: after the last one at rest.
+  constructor(canvas, scene, look, drawn, smoothed) {
     ColorManagement.enabled = false; // the shaders know what they write
     this.scene = scene;
     this.look = look;
     this.drawn = drawn;
+    this.smoothed = smoothed;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.smoothing = new Smoothing(this.renderer);
     this.surfaces = new Surfaces(scene, Math.min(8, this.renderer.capabilities.getMaxAnisotropy()));
     this.world = new Scene();
     this.sky = new Sky(this.surfaces.shared, scene.about.ground);
@@ -69,11 +72,30 @@ export class View {
     const seconds = Math.min(0.05, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     if (this.navigation.step(seconds)) this.ask();
-    this.#draw();
+    this.#prepare();
+    this.renderer.render(this.world, this.navigation.camera);
     this.drawn();
+    this.smoothing.begin();
+    this.#smooth();
   }
 
-  #draw() {
+  // One more picture per frame, until something changes.
+  #smooth() {
+    if (this.asked) return;
+    if (this.smoothing.isDone) {
+      this.smoothed();
+      return;
+    }
+    requestAnimationFrame(() => {
+      if (this.asked) return;
+      this.#show();
+      this.smoothing.step(this.world, this.navigation.camera);
+      this.#smooth();
+    });
+  }
+
+  // Sets what the next pictures show.
+  #prepare() {
     const { look, surfaces, renderer, world, sky } = this;
     const { camera } = this.navigation;
     sky.follow(camera, [0, 0, 0]);
@@ -94,10 +116,15 @@ export class View {
     const levels = levelsOf(this.scale, look.logarithmic).map((value) => shareOf(value, this.scale, look.logarithmic));
     shared.levels.value.set(levels);
     shared.level_count.value = levels.length;
-    if (look.show === 'light') sky.follow(camera, surfaces.skyRadiance());
+    this.#show();
+  }
+
+  // What is seen beside the surfaces; measurements hide it.
+  #show() {
+    const { look, renderer, sky } = this, { camera } = this.navigation;
+    sky.follow(camera, look.show === 'light' ? this.surfaces.skyRadiance() : [0, 0, 0]);
     this.luminaires.show(camera, look);
     renderer.setClearColor(look.show === 'light' ? 0x000000 : 0x212429, 1);
-    renderer.render(world, camera);
   }
 
   // For the numbers on the lines of equal light.

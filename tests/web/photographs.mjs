@@ -26,7 +26,8 @@ for (const [name, { screen, hash = '', clicks }] of Object.entries(pictures)) {
   await page.goto(`${pathToFileURL(resolve(html)).href}#${hash}`);
   await settled(page, 'html[data-state=ready]');
   await clicks?.(page);
-  await page.waitForTimeout(500);
+  await settled(page, 'html[data-picture=smooth]');
+  await page.waitForTimeout(100);
   await page.screenshot({ path: join(folder, `${name}.png`) });
   await context.close();
 }
