@@ -218,10 +218,13 @@ PicturePart with_margin(const PicturePart& part, int margin) {
 }
 
 Tile shifted_tile(int shift, ScreenSize size) {
-  // A rotated grid: one sample in each row and each column of a pixel.
-  constexpr std::array<Vec2, shifts> places = {Vec2(-0.125f, -0.375f), Vec2(0.375f, -0.125f),
-                                               Vec2(-0.375f, 0.125f), Vec2(0.125f, 0.375f)};
-  const auto off = places[static_cast<std::size_t>(shift % shifts)] * 2.0f / Vec2(size.width, size.height);
+  // One in each row and each column of 16 x 16; columns in the order of their reversed bits, so that the
+  // first pictures are spread, too.
+  constexpr std::array<int, shifts> columns = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
+  const auto number = shift % shifts;
+  const auto centre = [](int place) { return (static_cast<float>(place) + 0.5f) / shifts - 0.5f; };
+  const Vec2 place(centre(columns[static_cast<std::size_t>(number)]), centre((7 * number + 3) % shifts));
+  const auto off = place * 2.0f / Vec2(size.width, size.height);
   return {-1.0f + off.x, 1.0f + off.x, -1.0f + off.y, 1.0f + off.y};
 }
 

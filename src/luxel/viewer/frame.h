@@ -38,8 +38,9 @@ class DrawnFrame {
   // Converts samples to pixels. Later drawing (panels) writes sRGB codes unchanged, one sample per pixel.
   // Leaves the pixels as the current read framebuffer, for Screen::present().
   void resolve();
-  // After resolve(): keeps the mean of these pixels and of `count` rough pictures before, each drawn with the
-  // tile that shifted_tile() gives: edges become smoother with each picture while nothing moves.
+  // After resolve(): keeps the mean of these pixels and of `count` pictures before, each drawn with the tile
+  // that shifted_tile() gives: edges become smoother with each picture while nothing moves, and cracks and
+  // thin things, which the samples of one picture hit here and there, become lines.
   void join(int count);
   // Sets the pixels to that mean, in place of begin(), drawing and resolve().
   void show_joined();
@@ -64,8 +65,8 @@ Tile tile_of(const PicturePart& part, const Tile& whole = {});
 // Extends the part by `margin` pixels on every side, but not beyond the picture.
 PicturePart with_margin(const PicturePart& part, int margin);
 
-// The whole picture, shifted within a pixel: four shifts (0 to 3) replace four samples.
-inline constexpr int shifts = 4;
+// The whole picture, shifted within a pixel: shifts 0 to 15, which fill it evenly.
+inline constexpr int shifts = 16;
 Tile shifted_tile(int shift, ScreenSize size);
 
 }  // namespace luxel

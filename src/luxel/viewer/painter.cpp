@@ -137,7 +137,7 @@ void Painter::look_around(Canvas& canvas, const Viewpoint& from, const PicturePa
   if (!canvas.local) canvas.local = std::make_unique<LocalTone>();
   canvas.local->begin(drawn_size(part.size, edges));
   const SurfaceView view{
-      .projection = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, all)),
+      .projection = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, all), from.empty),
       .eye = from.pose.eye,
       .paint = Paint::curve_input,
       .tone = from.tone};
@@ -157,7 +157,8 @@ void Painter::draw(Canvas& canvas, const Look& look, const Viewpoint& from, cons
   const PixelOffset offset{part.begin.left - around.begin.left, part.begin.bottom - around.begin.bottom};
   if (is_local) look_around(canvas, from, around, edges, drawn.all);
   canvas.frame.begin(part.size, Vec3(0.012f), edges);
-  const auto to_screen = projection(from.pose, from.space, from.box, from.aspect, tile_of(part, drawn.all));
+  const auto to_screen =
+      projection(from.pose, from.space, from.box, from.aspect, tile_of(part, drawn.all), from.empty);
   const SurfaceView view{.projection = to_screen,
                          .eye = from.pose.eye,
                          .paint = painted,

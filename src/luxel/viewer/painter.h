@@ -25,6 +25,7 @@ struct Viewpoint {
   Bounds box;
   ToneCurve tone;
   float aspect = 1.0f;  // of the picture
+  float empty = 0.0f;   // see projection(), m
 };
 
 // Target of drawing.

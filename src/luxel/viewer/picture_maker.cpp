@@ -48,25 +48,19 @@ PicturePart PictureMaker::next_part() const {
           {std::min(side_, size_.width - begin.left), std::min(side_, size_.height - begin.bottom)}};
 }
 
-// Draws four samples per pixel at once. A software renderer draws four rough tiles instead, one per call: the
-// programs for rough pictures are already compiled for the window, and the others would take a tenth of a
-// second.
+// Draws one of the shifted pictures of a tile. With a software renderer they are rough: the programs for
+// these are already compiled for the window, and the others would take a tenth of a second.
 void PictureMaker::draw_some(Painter& painter) {
   const auto part = next_part();
   auto& frame = canvas_.frame;
-  if (is_software_) {
-    painter.draw(canvas_, look_, from_,
-                 {part, EdgeSmoothing::rough, point_size, shifted_tile(joined_, size_)});
-    frame.resolve();
-    frame.join(joined_++);
-    frame.wait();
-    if (joined_ < shifts) return;
-    frame.show_joined();
-    joined_ = 0;
-  } else {
-    painter.draw(canvas_, look_, from_, {part, EdgeSmoothing::sampled, point_size});
-    frame.resolve();
-  }
+  const auto edges = is_software_ ? EdgeSmoothing::rough : EdgeSmoothing::sampled;
+  painter.draw(canvas_, look_, from_, {part, edges, point_size, shifted_tile(joined_, size_)});
+  frame.resolve();
+  frame.join(joined_++);
+  frame.wait();
+  if (joined_ < shifts) return;
+  frame.show_joined();
+  joined_ = 0;
   tiles_.push_back(
       {part.begin.left, size_.height - part.begin.bottom - part.size.height, frame.read_codes()});
   ++next_;

@@ -11,8 +11,8 @@
 
 namespace luxel {
 
-// A picture of any size, also one larger than any framebuffer: drawn tile by tile, four samples per pixel,
-// between frames, then assembled and written in a thread of its own. Needs the painter's context.
+// A picture of any size, also one larger than any framebuffer: drawn tile by tile, as smooth as the window at
+// rest, between frames, then assembled and written in a thread of its own. Needs the painter's context.
 class PictureMaker {
  public:
   static constexpr int max_side = 16'384;  // pixels
@@ -54,7 +54,7 @@ class PictureMaker {
   int side_;  // of a tile, pixels
   bool has_begun_ = false;
   std::size_t next_ = 0, count_;  // tiles
-  int joined_ = 0;                // rough ones, of the next
+  int joined_ = 0;                // shifted pictures of the next
   Canvas canvas_;
   std::vector<Piece> tiles_;
   BackgroundTask<bool> writing_;

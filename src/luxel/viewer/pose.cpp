@@ -111,13 +111,15 @@ Sight sight(const Pose& pose, const Space& space, float aspect, float x, float y
   return {pose.eye, glm::normalize(a.ahead + x * aspect * tangent * a.right + y * tangent * a.up)};
 }
 
-Mat4 projection(const Pose& pose, const Space& space, const Bounds& box, float aspect, const Tile& tile) {
+Mat4 projection(const Pose& pose, const Space& space, const Bounds& box, float aspect, const Tile& tile,
+                float empty) {
   const auto a = axes(pose, space);
   const float size = std::max(glm::length(box.size()), 1e-6f);
   const float outside = glm::length(glm::max(Vec3(0.0f), glm::max(box.low - pose.eye, pose.eye - box.high)));
   const float far = 1.01f * (glm::length(pose.eye - box.center()) + 0.5f * size);
-  // 24 bits of depth support a ratio of ten thousand, with details of a millimetre in a room of ten metres.
-  const float near = std::max(0.5f * outside, far * 1e-4f);
+  // 24 bits of depth support a ratio of ten thousand, with details of a millimetre in a room of ten metres,
+  // and of a tenth of one where nothing is near.
+  const float near = std::max({0.5f * outside, far * 1e-4f, std::min(0.25f * empty, far * 1e-3f)});
   const float h = near * tangent_of_half(pose), w = h * aspect;
   return glm::frustum(w * tile.left, w * tile.right, h * tile.bottom, h * tile.top, near, far) *
          glm::lookAt(pose.eye, pose.eye + a.ahead, a.up);

@@ -61,7 +61,9 @@ struct Tile {
 };
 
 // From the world (m) to clip space. The near plane lies halfway to the box, or at 1e-4 of the far plane where
-// that is more; the far plane lies behind the box.
-Mat4 projection(const Pose& pose, const Space& space, const Bounds& box, float aspect, const Tile& tile = {});
+// that is more, or at a quarter of `empty`, but at most 1e-3 of the far plane; the far plane lies behind the
+// box. empty: distance up to which nothing was found in the view, m.
+Mat4 projection(const Pose& pose, const Space& space, const Bounds& box, float aspect, const Tile& tile = {},
+                float empty = 0.0f);
 
 }  // namespace luxel

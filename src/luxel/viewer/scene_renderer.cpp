@@ -13,6 +13,7 @@ constexpr std::array moving_edges = {EdgeSmoothing::rough, EdgeSmoothing::coarse
 constexpr std::array slow_frame = {0.020, 0.022};
 constexpr double longest_counted = 0.05;  // s: a frame in which the driver compiles is not representative
 constexpr float mark_size = 4.0f;         // points
+constexpr int frames_until_joins = 3;     // that are the same
 
 }  // namespace
 
@@ -29,11 +30,16 @@ void SceneRenderer::note_changes(const Shown& now, bool is_dragging) {
 }
 
 // With a software renderer, four samples per pixel take longer than a frame may: edges are rough while
-// something moves, and coarse where even that is slow; afterwards rough pictures are averaged, one per frame.
+// something moves, and coarse where even that is slow.
 void SceneRenderer::draw(const Shown& now, const Look& look, const Viewpoint& from, bool is_dragging,
                          bool fine) {
   note_changes(now, is_dragging);
-  const bool is_rough = driver_.is_software && !fine;
+  const bool is_rough = driver_.is_software;
+  auto& frame = canvas_.frame;
+  if (fine) {
+    while (joined_ < shifts) join_one_more(look, from);
+    return frame.show_joined();
+  }
   if (is_rough && !has_compiled_) compile_programs(look, from);
   const bool is_moving = unchanged_frames_ == 0;
   // Stays so for this scene: fast coarse frames do not predict the time of fine ones.
@@ -42,17 +48,26 @@ void SceneRenderer::draw(const Shown& now, const Look& look, const Viewpoint& fr
     ++coarseness_;
     frame_seconds_ = 0.0;
   }
+  if (unchanged_frames_ > frames_until_joins) {
+    if (joined_ < shifts) join_one_more(look, from);
+    return frame.show_joined();
+  }
   const auto pixels = screen_.pixels();
-  const bool joins = is_rough && unchanged_frames_ > frames_until_joins;
-  auto& frame = canvas_.frame;
-  if (joins && joined_ >= shifts) return frame.show_joined();
-  const Tile tile = joins ? shifted_tile(joined_, pixels) : Tile();
   const auto edges = !is_rough   ? EdgeSmoothing::sampled
                      : is_moving ? moving_edges[coarseness_]
                                  : EdgeSmoothing::rough;
-  painter_.draw(canvas_, look, from, {{pixels, {}, pixels}, edges, mark_size * screen_.text_scale(), tile});
+  painter_.draw(canvas_, look, from, {{pixels, {}, pixels}, edges, mark_size * screen_.text_scale()});
   frame.resolve();
-  if (joins) frame.join(joined_++);
+}
+
+void SceneRenderer::join_one_more(const Look& look, const Viewpoint& from) {
+  const auto pixels = screen_.pixels();
+  const auto edges = driver_.is_software ? EdgeSmoothing::rough : EdgeSmoothing::sampled;
+  painter_.draw(
+      canvas_, look, from,
+      {{pixels, {}, pixels}, edges, mark_size * screen_.text_scale(), shifted_tile(joined_, pixels)});
+  canvas_.frame.resolve();
+  canvas_.frame.join(joined_++);
 }
 
 // Creates targets and compiles programs on the first draw, before the user moves.

@@ -8,8 +8,8 @@
 
 namespace luxel {
 
-// Draws the scene behind the panels, frame by frame: edges get smoother while nothing changes, and where a
-// processor draws they are as rough as the frame rate needs while something moves.
+// Draws the scene behind the panels, frame by frame: pictures of a view that stays are averaged, and where a
+// processor draws, edges are as rough as the frame rate needs while something moves.
 class SceneRenderer {
  public:
   explicit SceneRenderer(Screen& screen) : screen_(screen) {}
@@ -39,13 +39,13 @@ class SceneRenderer {
   // Records the visible duration of the frame, s.
   void note_frame(double seconds);
   // Edges are as smooth as they get: another frame would be the same.
-  bool is_smooth() const { return unchanged_frames_ > (is_software() ? frames_until_smooth : 0); }
+  bool is_smooth() const { return joined_ >= shifts; }
   // The last frame's pixels.
   Image snapshot() const { return canvas_.frame.read(); }
 
  private:
-  static constexpr int frames_until_joins = 3, frames_until_smooth = frames_until_joins + shifts;
   void note_changes(const Shown& now, bool is_dragging);
+  void join_one_more(const Look& look, const Viewpoint& from);
   void compile_programs(const Look& look, const Viewpoint& from);
 
   Screen& screen_;
@@ -58,7 +58,7 @@ class SceneRenderer {
   int unchanged_frames_ = 0;      // since the scene or the view changed
   std::uint64_t slow_scene_ = 0;  // with frames that took too long
   std::size_t coarseness_ = 0;    // their antialiasing while something moves
-  int joined_ = 0;                // rough pictures joined into the one that is seen
+  int joined_ = 0;                // pictures joined into the one that is seen
   double frame_seconds_ = 0.0;    // lately
 };
 

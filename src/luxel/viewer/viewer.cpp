@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/viewer/viewer.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -104,8 +106,25 @@ void Viewer::update_view(double seconds) {
 
 // ---- A frame ----
 
+// By rays all over the view.
+float Viewer::empty_distance() const {
+  constexpr int columns = 12, rows = 8;
+  if (!session.mesh() || !session.mesh()->tracer) return 0.0f;
+  auto nearest = std::numeric_limits<float>::infinity();
+  for (int i = 0; i < columns * rows; ++i) {
+    const auto at = [](int place, int of) {
+      return 2.0f * (static_cast<float>(place) + 0.5f) / static_cast<float>(of) - 1.0f;
+    };
+    const auto seen = sight(camera.pose(), camera.space(), camera.aspect(), at(i % columns, columns),
+                            at(i / columns, rows));
+    if (const auto hit = session.mesh()->tracer->nearest({seen.origin, seen.direction}))
+      nearest = std::min(nearest, hit.distance);
+  }
+  return nearest;
+}
+
 Viewpoint Viewer::viewpoint() const {
-  return {camera.pose(), camera.space(), camera.box(), curve_, camera.aspect()};
+  return {camera.pose(), camera.space(), camera.box(), curve_, camera.aspect(), empty_distance()};
 }
 
 bool Viewer::is_at_rest() const {

@@ -135,6 +135,7 @@ class Viewer {
   void begin_scene();
   bool is_drawing_picture() const { return picture_ && picture_->has_begun() && !picture_->is_drawn(); }
   const Look& seen_look() const { return picture_ && !picture_->is_drawn() ? picture_->look() : look; }
+  float empty_distance() const;
   Viewpoint viewpoint() const;
   void draw_scene(bool fine);
   void draw_panels(double seconds);

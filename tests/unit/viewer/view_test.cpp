@@ -73,6 +73,22 @@ TEST(Pose, a_pixels_sight_meets_what_the_projection_puts_there) {
   EXPECT_NEAR(clip.y / clip.w, -0.7f, 1e-4f);
 }
 
+// Grout lies two tenths of a millimetre below tiles that are five metres away.
+TEST(Pose, where_nothing_is_near_the_depths_of_grout_and_tiles_differ) {
+  const Pose pose{.eye = Vec3(0, -5, 0)};
+  const Bounds box{Vec3(-9.0f), Vec3(9.0f)};
+  const auto steps_between = [&](float empty) {
+    const auto all = projection(pose, z_up, box, 1.6f, {}, empty);
+    const auto depth = [&](float y) {
+      const auto clip = all * Vec4(0.0f, y, 0.0f, 1.0f);
+      return 0.5 * static_cast<double>(clip.z) / static_cast<double>(clip.w);
+    };
+    return (depth(2e-4f) - depth(0.0f)) * (1 << 24);
+  };
+  EXPECT_GT(steps_between(4.0f), 1.0);
+  EXPECT_GT(steps_between(4.0f), 5.0 * steps_between(0.0f));
+}
+
 TEST(ColourMap, a_scale_holds_nearly_all_values_between_round_ends) {
   std::vector<float> values;
   for (int i = 1; i <= 1000; ++i) values.push_back(0.4f * static_cast<float>(i));
