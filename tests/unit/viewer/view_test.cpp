@@ -86,7 +86,7 @@ TEST(Pose, where_nothing_is_near_the_depths_of_grout_and_tiles_differ) {
     return (depth(2e-4f) - depth(0.0f)) * (1 << 24);
   };
   EXPECT_GT(steps_between(4.0f), 1.0);
-  EXPECT_GT(steps_between(4.0f), 5.0 * steps_between(0.0f));
+  EXPECT_GT(steps_between(4.0f), 2.5 * steps_between(0.0f));
 }
 
 TEST(ColourMap, a_scale_holds_nearly_all_values_between_round_ends) {
