@@ -83,7 +83,7 @@ TEST(Quality, yields_to_what_a_person_gives_on_the_command_line_or_in_a_file) {
   EXPECT_EQ(set["samples"], "\"7\"  # count; file");
   EXPECT_EQ(set["final-gather"].substr(0, 4), "\"5%\"");
   // A given error takes precedence: the rays of a quality are then no bound, unless they are given too.
-  EXPECT_TRUE(set["ray-budget"].starts_with("\"300M\"  # count; default")) << set["ray-budget"];
+  EXPECT_TRUE(set["ray-budget"].starts_with("\"400M\"  # count; default")) << set["ray-budget"];
   set = configuration(folder, "bake cornell-box.obj --quality draft --error 9% --ray-budget 5M");
   EXPECT_EQ(set["ray-budget"], "\"5M\"  # count; command line");
 }

@@ -19,7 +19,7 @@ struct Row {
 // The options that each level sets. docs/command-line.md repeats it; a test compares both.
 constexpr Row table[] = {
     {"error", {"6%", "2%", "1%"}},             // of the light
-    {"ray-budget", {"100M", "300M", "none"}},  // of the light
+    {"ray-budget", {"100M", "400M", "none"}},  // of the light
     {"cheap-rays", {"10M", "40M", "none"}},    // of the light
     {"mesh-error", {"none", "auto", "1%"}},    // of the patches
     {"samples", {"2", "3", "4"}},              // of a pixel

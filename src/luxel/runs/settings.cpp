@@ -198,7 +198,7 @@ RefineOptions RefineSettings::options(std::size_t patches) const {
   options.max_levels = 16;
   options.max_cost = 0.5;
   // The same for each --quality, --error and --seed, as the mesh is: that of the light at its default.
-  options.light.ray_budget = 300'000'000;
+  options.light.ray_budget = 400'000'000;
   return options;
 }
 

@@ -65,8 +65,9 @@ using namespace tuning::rounds;
 
 }  // namespace
 
-double max_growth(const SampledOptions& options) {
-  return options.rays > 0 || options.seconds > 0.0 ? growth_to_bound : growth_to_error;
+double max_growth(const SampledOptions& options, bool is_after_first) {
+  if (options.rays > 0 || options.seconds > 0.0) return growth_to_bound;
+  return is_after_first ? growth_after_first : growth_later;
 }
 
 double growth_to_target(double squared_error, double target, bool is_after_first, double max_growth) {
@@ -79,7 +80,7 @@ RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
                      const SampledOptions& options) {
   RoundPlan plan;
   for (const auto& u : units) plan.cost += u.cost;
-  const auto most = max_growth(options);
+  const auto most = max_growth(options, start.is_after_first);
   const auto least = options.error > 0.0 ? growth_to_target(start.squared_error, start.aimed_squared_error,
                                                             start.is_after_first, most)
                                          : min_growth;

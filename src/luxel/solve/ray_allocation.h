@@ -31,10 +31,10 @@ std::vector<std::uint8_t> plan_doublings(std::span<const SampleUnit> units, doub
 // The sum of squared_error that is left after those doublings, as plan_doublings() expects it.
 double expected_squared_error(std::span<const SampleUnit> units, std::span<const std::uint8_t> doublings);
 
-// Bound of the cost of a round, as a multiple of all rounds before it: lower where rays or time may end the
-// run not far from there. The samples taken do not depend on the position of a limit, so that a longer run
-// takes the same ones.
-double max_growth(const SampledOptions& options);
+// Bound of the cost of a round, as a multiple of all rounds before it: higher after the first answer, unless
+// rays or time may end the run not far from there. The samples taken do not depend on the position of a
+// limit, so that a longer run takes the same ones.
+double max_growth(const SampledOptions& options, bool is_after_first);
 
 // The samples that the next round takes.
 struct RoundPlan {

@@ -182,7 +182,7 @@ TimeForecastOptions forecast_options(const SampledOptions& options, bool is_resu
           .ray_budget = static_cast<double>(options.ray_budget),
           .seconds = options.seconds,
           .min_growth = tuning::rounds::min_growth,
-          .max_growth = max_growth(options),
+          .max_growth = max_growth(options, false),
           .is_resumed = is_resumed};
 }
 
