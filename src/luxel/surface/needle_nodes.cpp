@@ -13,7 +13,7 @@
 namespace luxel {
 namespace {
 
-constexpr float max_width = 0.1f;          // of a needle and of a group, over the needle's longest edge
+constexpr float max_width = 0.1f;           // of a needle and of a group, over the needle's longest edge
 constexpr float min_flat_cosine = 0.9998f;  // 1 degree
 constexpr double max_bent_area = 0.1;       // of the area around a node
 
