@@ -17,17 +17,20 @@ constexpr std::size_t min_triangles = 3;
 constexpr std::size_t max_planes = 512;                          // the largest planes only
 constexpr std::size_t all_cells = 1 << 23;                       // of all rasters together: about 0.1 s
 constexpr std::size_t min_cells = 1 << 12, max_cells = 1 << 18;  // per raster
-constexpr std::size_t min_hole_cells = 8;                        // per hole
-constexpr std::size_t min_width = 3;                             // of a hole, cells
-constexpr double min_fill = 0.4;                                 // area of a hole over that of its polygon
-constexpr double min_hull = 0.95;        // area of the hull of corners over that of the cells
-constexpr std::size_t max_corners = 12;  // a hole with more is replaced by its axis-aligned rectangle
+constexpr double max_layers = 8.0;  // area of a plane's triangles over that of its raster; more: a heap
+constexpr std::size_t min_hole_cells = 8;  // per hole
+constexpr std::size_t min_width = 3;       // of a hole, cells
+constexpr double min_fill = 0.4;           // area of a hole over that of its polygon
+constexpr double min_hull = 0.95;          // area of the hull of corners over that of the cells
+constexpr std::size_t max_corners = 12;    // a hole with more is replaced by its axis-aligned rectangle
 
 using Flat = std::array<double, 2>;
 
 class Picture {
  public:
-  Picture(std::span<const Triangle3> triangles, std::span<const std::uint32_t> members, std::size_t cells)
+  // area: of all members, m².
+  Picture(std::span<const Triangle3> triangles, std::span<const std::uint32_t> members, double area,
+          std::size_t cells)
       : frame_(frame_of(triangles, members)) {
     for (const auto t : members) {
       auto& flat = triangles_.emplace_back();
@@ -44,6 +47,7 @@ class Picture {
     if (!(cell_ > 0.0)) return;
     for (std::size_t i = 0; i < 2; ++i) count_[i] = static_cast<std::size_t>(size[i] / cell_) + 1;
     if (count_[0] * count_[1] > 2 * cells) return;  // a narrow strip
+    if (area > max_layers * size[0] * size[1]) return;
     label_.assign(count_[0] * count_[1], none);
     for (const auto& triangle : triangles_) fill(triangle);
   }
@@ -185,7 +189,7 @@ std::vector<OpenPolygon> find_wall_holes(std::span<const Triangle3> triangles, d
   std::vector<OpenPolygon> holes;
   if (by_area.empty()) return holes;
   const auto cells = std::clamp(all_cells / by_area.size(), min_cells, max_cells);
-  for (const auto& [area, i] : by_area) Picture(triangles, planes[i], cells).find_holes(holes);
+  for (const auto& [area, i] : by_area) Picture(triangles, planes[i], -area, cells).find_holes(holes);
   return holes;
 }
 
