@@ -95,7 +95,7 @@ TEST(FindPortals, needs_no_connected_walls_and_no_axes) {
 }
 
 // Each triangle of a heap fills the raster again: a file of 1 MB took 16 s.
-TEST(FindPortals, passes_over_planes_in_which_triangles_lie_in_heaps) {
+TEST(FindPortals, ignores_planes_in_which_triangles_lie_in_heaps) {
   const auto scene = boxes_round_a_gap(1.0f).scene();
   const auto holes = [&](int layers) {
     std::vector<Triangle3> all;
