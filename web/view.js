@@ -119,7 +119,7 @@ export class View {
     this.#show();
   }
 
-  // What is seen beside the surfaces; measurements hide it.
+  // Sky, luminaires and background, which measurements hide.
   #show() {
     const { look, renderer, sky } = this, { camera } = this.navigation;
     sky.follow(camera, look.show === 'light' ? this.surfaces.skyRadiance() : [0, 0, 0]);

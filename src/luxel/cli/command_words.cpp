@@ -20,7 +20,7 @@ struct Known {
   char letter = 0;
 };
 
-// Names of such options in other programs, and here.
+// Names of options in other programs, and those of the corresponding options here.
 constexpr std::pair<const char*, const char*> other_names[] = {
     {"size", "width"},        {"resolution", "width"}, {"res", "width"},          {"spp", "samples"},
     {"noise", "error"},       {"accuracy", "error"},   {"precision", "error"},    {"camera", "eye"},

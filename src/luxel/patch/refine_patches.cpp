@@ -111,10 +111,16 @@ class EdgeCuts {
     return glm::dot(d, d);
   }
 
-  void halve_long_edges(std::uint32_t patch) {
+  // Calls body(edge) for each edge of a patch that is not much shorter than its longest one.
+  template <typename Body>
+  void for_long_edges(std::uint32_t patch, Body body) const {
     const auto least = min_halved * min_halved * length2(edges_[edge(patch, longest(patch))]);
     for (std::uint32_t k = 0; k < 3; ++k)
-      if (length2(edges_[edge(patch, k)]) >= least) halve(edge(patch, k));
+      if (length2(edges_[edge(patch, k)]) >= least) body(edge(patch, k));
+  }
+
+  void halve_long_edges(std::uint32_t patch) {
+    for_long_edges(patch, [this](std::uint32_t e) { halve(e); });
   }
 
   bool is_long_edge_of_needle(std::uint32_t e, std::uint32_t patch) const {
@@ -124,21 +130,18 @@ class EdgeCuts {
     return *least < max_needle * max_needle * *most && length2(edges_[e]) > *least;
   }
 
-  // Whether the surface goes on in the plane of a patch at each of its long edges.
+  // Returns whether the patch has a coplanar neighbour at each of its long edges.
   bool lies_between_coplanar(std::uint32_t patch) const {
-    const auto least = min_halved * min_halved * length2(edges_[edge(patch, longest(patch))]);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto e = edge(patch, k);
-      if (length2(edges_[e]) < least) continue;
-      bool goes_on = false;
-      for (auto i = begins_[e]; i < begins_[e + 1]; ++i) {
-        const auto other = corners_[i] / 3;
-        goes_on = goes_on || (other != patch && std::abs(glm::dot(patches_.normal[other],
-                                                                  patches_.normal[patch])) > min_flat_cosine);
-      }
-      if (!goes_on) return false;
-    }
-    return true;
+    const auto is_coplanar = [&](std::uint32_t corner) {
+      const auto other = corner / 3;
+      return other != patch &&
+             std::abs(glm::dot(patches_.normal[other], patches_.normal[patch])) > min_flat_cosine;
+    };
+    bool all = true;
+    for_long_edges(patch, [&](std::uint32_t e) {
+      all = all && std::any_of(corners_.begin() + begins_[e], corners_.begin() + begins_[e + 1], is_coplanar);
+    });
+    return all;
   }
 
   void halve(std::uint32_t e) {

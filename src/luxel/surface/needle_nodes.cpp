@@ -73,7 +73,7 @@ class Groups {
 
   const Vec3& vertex_of(std::uint32_t node) const { return patches_.vertices[vertex_[node]]; }
 
-  // Whether a side lies in the plane of the needles at a node that is in a group.
+  // Returns whether a side is parallel to the needles at a node, which must be in a group.
   bool is_beside(std::uint32_t node, SideId side) const { return is_parallel(side, normal_[node]); }
 
  private:
