@@ -4,11 +4,13 @@
 // that `luxel compare` has.
 #include <gtest/gtest.h>
 
+#include "luxel/patch/make_patches.h"
 #include "luxel/render/compare.h"
 #include "luxel/render/path_traced.h"
 #include "luxel/solve/sampled.h"
 
 #include "support/known_rooms.h"
+#include "support/window_rooms.h"
 
 namespace luxel {
 namespace {
@@ -61,6 +63,30 @@ TEST(Compare, says_where_a_solver_is_wrong) {
   const auto c = compare_solutions(traced, solved);
   EXPECT_FALSE(c.agrees().value());
   for (const auto& d : c.largest) EXPECT_EQ(solved.patches.material_of(d.index / 2).name, "floor");
+}
+
+// Portals change the noise of paths and not their light, also where one covers another or stands before it.
+TEST(Reference, has_a_fifth_of_the_noise_with_portals_and_the_same_light) {
+  const auto patches = make_patches(truth::under_sky(truth::window_room()), {.max_edge = 0.5f});
+  const auto traced = [&](const std::vector<Portal>& portals, std::uint64_t seed) {
+    Baked baked{patches, {}};
+    baked.patches.portals = portals;
+    const Tracer tracer(patches);
+    const auto report =
+        trace_light(baked.patches, tracer, baked.solution, {.limits = {.samples = 2048}, .seed = seed});
+    return std::pair(std::move(baked), report.predicted_error);
+  };
+  const auto [without, noise] = traced({}, 1);
+  auto several = truth::window_portals();
+  for (const auto& more : {truth::window_portals(0.25f, true), truth::window_portals()})
+    several.insert(several.end(), more.begin(), more.end());
+  for (const auto& portals : {truth::window_portals(), several}) {
+    const auto [with, reduced] = traced(portals, 2);
+    const auto c = compare_solutions(with, without);
+    EXPECT_TRUE(c.agrees().value()) << "mean z² " << c.mean_z2 << ", within " << c.within;
+    EXPECT_LT(std::abs(c.mean_bias), 0.01);
+    EXPECT_LT(reduced, 0.2 * noise);
+  }
 }
 
 }  // namespace

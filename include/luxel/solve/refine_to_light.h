@@ -31,6 +31,10 @@ struct RefineOptions {
   /// larger.
   SampledOptions light = {};
   SmoothOptions smooth = {};  ///< how light is reconstructed from patches: its error is what counts
+  /// The solve that follows, for Progress::later alone: its requested error and SampledOptions::ray_budget.
+  /// Error 0: none follows.
+  double later_error = 0.0;
+  std::uint64_t later_ray_budget = 0;
 };
 
 enum class RefineStop {

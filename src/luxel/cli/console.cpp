@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <thread>
@@ -16,7 +17,6 @@
 #include "luxel/cli/wrapped_text.h"
 #include "luxel/core/standard_streams.h"
 #include "luxel/core/startable_threads.h"
-#include "luxel/core/time_left.h"
 #include "luxel/core/utf8.h"
 #include "luxel/runs/quantity.h"
 #include "luxel/runs/settings.h"
@@ -36,14 +36,13 @@ constexpr int bar_width = 28;
 constexpr std::size_t label_width = 10;
 
 // "41 %   error 2.1 %   12 s left". The light has no error before the first answer; then it is a picture.
-std::string numbers_of(const Progress& progress, double seconds) {
+std::string numbers_of(const Progress& progress, std::optional<double> left) {
   auto text = fmt::format("{:3.0f} %", 100.0 * std::clamp(progress.done, 0.0, 1.0));
   if (is_known_error(progress.error))
     text += fmt::format("   error {}", percent_of(progress.error));
   else if (progress.stage == "light")
     text += "   first light";
-  if (const auto left = time_left(progress.done, seconds))
-    text += fmt::format("   {} left", rough_duration(*left));
+  if (left) text += fmt::format("   {} left", rough_duration(*left));
   return text;
 }
 
@@ -151,7 +150,8 @@ void Console::show(const Progress& progress) {
   if (now - last_shown_ < pause) return;
   last_shown_ = now;
 
-  const auto numbers = numbers_of(progress, std::chrono::duration<double>(now - stage_begin_).count());
+  const auto numbers = numbers_of(
+      progress, time_left_.note(progress, std::chrono::duration<double>(now - stage_begin_).count(), now));
   if (!terminal_) {
     note(fmt::format("{:<{}}{}\n", progress.stage, label_width, numbers));
     return;
@@ -182,7 +182,7 @@ void Console::tell_program(const Progress& progress) {
   stage_ = progress.stage;
   last_shown_ = now;
   const auto seconds = std::chrono::duration<double>(now - stage_begin_).count();
-  const auto left = time_left(progress.done, seconds);
+  const auto left = time_left_.note(progress, seconds, now);
   const Json line = {{"stage", stage_},
                      {"done", rounded(std::clamp(progress.done, 0.0, 1.0), 4)},
                      {"rays", progress.rays},

@@ -8,6 +8,7 @@
 #include "luxel/core/context.h"
 #include "luxel/core/interrupts.h"
 #include "luxel/core/progress.h"
+#include "luxel/core/time_left.h"
 #include "luxel/runs/reporter.h"
 
 namespace luxel {
@@ -64,6 +65,7 @@ class Console final : public Reporter {
   std::string stage_;
   Clock::time_point stage_begin_;
   Clock::time_point last_shown_;
+  TimeLeft time_left_;
 };
 
 // Silences consoles from now on and leaves signals to another process: of several processes, only the first

@@ -12,6 +12,7 @@
 #include "luxel/cli/flags.h"
 #include "luxel/cli/streams.h"
 #include "luxel/cli/terminal.h"
+#include "luxel/core/process_usage.h"
 #include "luxel/core/ranks.h"
 #include "luxel/core/standard_streams.h"
 #include "luxel/core/utf8.h"
@@ -102,6 +103,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  luxel::keep_freed_memory();
   luxel::secure_streams();
   luxel::set_colour_mode(luxel::colour_mode_of(argc, argv));
   try {

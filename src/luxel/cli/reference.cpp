@@ -10,6 +10,7 @@
 #include "luxel/cli/run_report.h"
 #include "luxel/core/ending_of.h"
 #include "luxel/core/hint.h"
+#include "luxel/lamps/choose_portals.h"
 #include "luxel/render/path_picture.h"
 #include "luxel/runs/lit_scene.h"
 #include "luxel/runs/outputs.h"
@@ -121,6 +122,8 @@ class Reference final : public Command {
     baked.patches = record.stage("patches", [&](auto&) {
       return make_patches_for_light(scene, scene_.patches, console.detailing(context));
     });
+    if (interrupted()) return {};
+    record.stage("portals", [&](auto&) { set_portals(scene, baked.patches, context); });
     if (interrupted()) return {};
     if (scene.cameras.empty() && !picture_.is_given() &&
         std::any_of(run_.outputs.begin(), run_.outputs.end(), is_picture))

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/lamps/portals.h"
 
-#include <limits>
-
 #include "luxel/core/none.h"
 
 namespace luxel {
@@ -19,15 +17,12 @@ Portals::Portals(const PatchSet& patches) {
   tracer_ = std::make_shared<const Tracer>(triangles, Context(1));
 }
 
+Hit Portals::nearest(const Ray& ray) const { return empty() ? Hit{} : tracer_->nearest(ray); }
+
 std::uint32_t Portals::first_crossed(const Ray& ray) const {
-  if (empty()) return none;
-  const auto hit = tracer_->nearest(ray);
+  const auto hit = nearest(ray);
   if (!hit || (hit.back && both_ways_[hit.patch] == 0)) return none;
   return 2 * hit.patch + (hit.back ? 1 : 0);
-}
-
-float Portals::distance(const Ray& ray) const {
-  return empty() ? std::numeric_limits<float>::infinity() : tracer_->nearest(ray).distance;
 }
 
 }  // namespace luxel

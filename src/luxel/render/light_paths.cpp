@@ -2,6 +2,7 @@
 #include "luxel/render/light_paths.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -18,10 +19,22 @@ constexpr std::uint64_t scatter_numbers = std::uint64_t{1} << 40;  // behind tho
 
 double dot(const Vec3& a, const Vec3& b) { return glm::dot(Vec3d(a), Vec3d(b)); }
 
+// Probability density per steradian of the ray that samples directions, not lamps. is_cosine: all rays are
+// by the cosine, else half of them are spread evenly.
+double ray_density(bool is_cosine, double cosine) {
+  const auto by_cosine = cosine / std::numbers::pi;
+  return is_cosine ? by_cosine : 0.5 * (by_cosine + 0.5 / std::numbers::pi);
+}
+
 }  // namespace
 
 LightPaths::LightPaths(const PatchSet& patches, const Tracer& tracer)
-    : patches_(patches), tracer_(tracer), lamps_(patches), punctual_(patches), panes_(patches) {
+    : patches_(patches),
+      tracer_(tracer),
+      lamps_(patches),
+      portals_(patches, tracer),
+      punctual_(patches),
+      panes_(patches) {
   check_light(patches);
 }
 
@@ -58,6 +71,25 @@ void LightPaths::add_punctual(const SurfacePoint& x, const VertexNumbers& number
   add_seen(sample.light, sample.sight, sample.given);
 }
 
+// The ray to a portal, where it meets the sky.
+template <typename Add>
+void LightPaths::add_sky(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread, Trail& trail,
+                         const Add& add) const {
+  const auto ray = portals_.sample(x.position, numbers.lamp);
+  if (!ray) return;
+  const auto cosine = dot(x.normal, ray->direction);
+  if (!(cosine > 0.0)) return;
+  ++trail.rays;
+  const auto no_end = std::numeric_limits<float>::infinity();
+  if (tracer_.occluded(*ray, no_end)) return;
+  const auto through = panes_.along(*ray, no_end);
+  const auto sky_patch = patches_.sky_patches.patch_of(Vec3d(ray->direction));
+  add(Vec3d(ray->direction), cosine,
+      1.0 / (portals_.density(*ray) + ray_density(spread == Rays::by_cosine, cosine)), [&](std::size_t b) {
+        return in_band(through, b) * patches_.sky_radiosity(sky_patch, b) / std::numbers::pi;
+      });
+}
+
 // Calls add(direction, cosine, solid_angle, radiance) for the arriving light: the expected sum of solid_angle
 // (sr) times radiance(band), W/(m² sr), is the integral of radiance over all that x sees.
 template <typename Add>
@@ -69,13 +101,9 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
       return in_band(through, b) * static_cast<double>(patches_.emittance(patch, b)) / std::numbers::pi;
     };
   };
-  // Densities per steradian: of the shadow ray (lamp sampling) and of the other ray.
+  // Density per steradian of the shadow ray (lamp sampling).
   const auto lamp_density = [&](std::size_t patch, double distance, double cosine) {
     return lamps_.density(patches_, patch) * distance * distance / cosine;
-  };
-  const auto ray_density = [spread](double cosine) {
-    const auto by_cosine = cosine / std::numbers::pi;
-    return spread == Rays::by_cosine ? by_cosine : 0.5 * (by_cosine + 0.5 / std::numbers::pi);
   };
 
   // 1. Shadow ray to a lamp.
@@ -89,12 +117,15 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
       ++trail.rays;
       const Ray ray{x.position, Vec3(way / distance)};
       if (!tracer_.occluded(ray, static_cast<float>(distance)))
-        add(way / distance, here, 1.0 / (lamp_density(y.patch, distance, there) + ray_density(here)),
+        add(way / distance, here,
+            1.0 / (lamp_density(y.patch, distance, there) + ray_density(spread == Rays::by_cosine, here)),
             of_lamp(y.patch, panes_.along(ray, static_cast<float>(distance))));
     }
   }
 
   if (!patches_.point_lights.empty()) add_punctual(x, numbers, trail, add);
+  const bool aims_at_sky = !portals_.empty() && patches_.has_sky();
+  if (aims_at_sky) add_sky(x, numbers, spread, trail, add);
 
   // 2. Cosine-distributed ray or, for light vectors, one of the mixture of cosine and uniform directions.
   auto [u, v] = numbers.direction;
@@ -103,7 +134,7 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
   const auto local = is_even ? uniform_hemisphere(u, v) : cosine_hemisphere(u, v);
   const Ray ray{x.position, Frame(x.normal).to_world(local)};
   const auto cosine = static_cast<double>(local.z);
-  const auto density = ray_density(cosine);
+  const auto density = ray_density(spread == Rays::by_cosine, cosine);
   ++trail.rays;
   trail.first = tracer_.nearest(ray);
   trail.direction = Vec3d(ray.direction);
@@ -114,7 +145,9 @@ LightPaths::Trail LightPaths::arriving(const SurfacePoint& x, const VertexNumber
     trail.through.assign(through.begin(), through.end());
   if (!hit) {
     const auto sky_patch = patches_.sky_patches.patch_of(trail.direction);
-    add(trail.direction, cosine, trail.solid_angle, [&](std::size_t b) {
+    const auto aimed = aims_at_sky ? portals_.density(ray) : 0.0;
+    const auto solid_angle = density > 0.0 ? 1.0 / (aimed + density) : 0.0;
+    add(trail.direction, cosine, solid_angle, [&](std::size_t b) {
       return in_band(trail.through, b) * patches_.sky_radiosity(sky_patch, b) / std::numbers::pi;
     });
   }

@@ -9,6 +9,7 @@
 #include "luxel/lamps/punctual_lights.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/render/lamp_table.h"
+#include "luxel/render/portal_table.h"
 #include "luxel/render/surface_point.h"
 #include "luxel/trace/panes.h"
 #include "luxel/trace/tracer.h"
@@ -30,8 +31,9 @@ struct VertexNumbers {
 // Paths that start at a surface and gather light (Kajiya 1986). Each vertex traces a shadow ray to a lamp and
 // a cosine ray: light straight from lamps comes from both, weighted by the balance heuristic (Veach and
 // Guibas 1995), so that no path carries much more than others where a lamp is near; the cosine ray continues
-// the path, or meets the sky, which no other ray samples. Shares tracer, patches and the choice of
-// luminaires with the solvers, and no estimator.
+// the path. The sky is met by cosine rays and, where the patches have portals, by one more ray to these,
+// weighted in the same way. Shares tracer, patches, portals and the choice of luminaires with the solvers,
+// and no estimator.
 class LightPaths {
  public:
   // Keeps references. Throws InputError where there is neither lamp nor sky.
@@ -74,11 +76,16 @@ class LightPaths {
   SideId scatter(const Hit& hit, float u, std::span<double> weight) const;
 
   template <typename Add>
+  void add_sky(const SurfacePoint& x, const VertexNumbers& numbers, Rays spread, Trail& trail,
+               const Add& add) const;
+
+  template <typename Add>
   void add_punctual(const SurfacePoint& x, const VertexNumbers& numbers, Trail& trail, const Add& add) const;
 
   const PatchSet& patches_;
   const Tracer& tracer_;
   LampTable lamps_;
+  PortalTable portals_;
   PunctualLights punctual_;
   Panes panes_;
 };

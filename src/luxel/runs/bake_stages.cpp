@@ -77,6 +77,8 @@ void BakeStages::refine(Baked& baked, RefineReport& report) const {
   auto options = settings_.refine.options(baked.patches.size());
   options.light.error_measure = settings_.light.sampled.error_measure;
   options.light.memory = settings_.light.sampled.memory;
+  options.later_error = settings_.light.sampled.error;
+  options.later_ray_budget = settings_.light.sampled.ray_budget;
   options.smooth = settings_.look.smooth;
   TimeBudget budget(settings_.light.sampled.seconds, record);
   budget.reserve(after_refinement * budget.seconds());

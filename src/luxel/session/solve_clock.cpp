@@ -40,7 +40,7 @@ void SolveClock::note(const Progress& progress, bool has_light, SessionStatus& s
   while (marks_.size() > 2 && now - marks_.front().seconds > window) marks_.pop_front();
   const auto span = now - marks_.front().seconds;
   if (span > 0.0) status.rays_per_second = static_cast<double>(status.rays - marks_.front().rays) / span;
-  status.seconds_left = time_left(progress.done, solve_seconds());
+  status.seconds_left = time_left(progress, solve_seconds());
   if (has_light && progress.error > 0.0) {
     status.error = progress.error;
     status.history.push_back({now, status.rays, progress.error});

@@ -42,6 +42,11 @@ constexpr double min_level = 1.01;
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
 constexpr double first_light = 0.7;     // fraction of the time that progress expects of the first mesh
+// Time per ray of a later solve over that of the refinement, whose answers come after fewer rays (five
+// rooms).
+constexpr double later_time = 0.55;
+// Its squared error ~ rays^-later_exponent, from the error of such an answer on: measured 0.9 to 1.2.
+constexpr double later_exponent = 1.0;
 
 void check(const RefineOptions& options) {
   if (!(options.mesh_error > 0.0))
@@ -152,11 +157,29 @@ class Refinement {
   }
 
   // The monitor of the solve of an answer, 0 or 1, that may take a budget of rays; 0: without a bound.
-  Next tell_solve(const Progress& p, std::uint32_t answer, std::uint64_t budget) const {
+  Next tell_solve(const Progress& p, std::uint32_t answer, std::uint64_t budget) {
     if (!report_.levels.empty()) return tell(p.rays);
+    expect_later_rays(static_cast<double>(p.rays), p.error);
     const auto by_rays = budget > 0 ? static_cast<double>(p.rays) / static_cast<double>(budget) : 0.0;
     const auto done = std::clamp(std::max(p.done, by_rays), 0.0, 1.0);
-    return context_.report({"refine", 0.5 * first_light * (answer + done), rays_before_ + p.rays});
+    return report({"refine", 0.5 * first_light * (answer + done), rays_before_ + p.rays});
+  }
+
+  // The rays of the solve that follows, from the error of one with so many.
+  void expect_later_rays(double rays, double error) {
+    if (options_.later_error == 0.0 || !(error > 0.0) || std::isinf(error)) return;
+    later_rays_ = rays * std::pow(error / options_.later_error, 2.0 / later_exponent);
+    const auto budget = static_cast<double>(options_.later_ray_budget);
+    // The last round may go beyond the budget: is_beyond_budget().
+    if (budget > 0.0) later_rays_ = std::min(later_rays_, 1.2 * budget);
+  }
+
+  Next report(Progress progress) const {
+    if (options_.later_error > 0.0)
+      progress.later = later_rays_ > 0.0 && progress.rays > 0
+                           ? later_time * later_rays_ / static_cast<double>(progress.rays) * progress.done
+                           : -1.0;
+    return context_.report(progress);
   }
 
   // Reports the present level. rays: since the last answer.
@@ -164,8 +187,8 @@ class Refinement {
     const auto first = static_cast<double>(report_.levels.front().rays);
     const auto later = static_cast<double>(rays_before_ + rays) - first;
     const auto part = allowed_rays_ > first ? std::clamp(later / (allowed_rays_ - first), 0.0, 1.0) : 0.0;
-    return context_.report({"refine", first_light + (1.0 - first_light) * part, rays_before_ + rays,
-                            report_.levels.back().mesh_error});
+    return report({"refine", first_light + (1.0 - first_light) * part, rays_before_ + rays,
+                   report_.levels.back().mesh_error});
   }
   // Between the steps of a level that trace no rays.
   bool is_stopped() const { return !report_.levels.empty() && tell(0) == Next::stop; }
@@ -320,6 +343,7 @@ class Refinement {
   MeshEstimate estimate_;  // of the present mesh
   std::uint64_t rays_before_ = 0;
   double allowed_rays_ = 0.0;  // see bound_cost(); 0: unknown, or without a bound
+  double later_rays_ = 0.0;    // of the solve that follows; 0: unknown
   std::size_t cuts_ = 0;       // decided by the present estimates
 };
 

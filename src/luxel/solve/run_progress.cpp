@@ -210,7 +210,11 @@ void RunProgress::begin_round(const RoundPlan& plan) {
 }
 
 Next RunProgress::report(std::uint64_t rays, const Solution* light) {
-  const Progress progress{"light", forecast_.done(worked(), static_cast<double>(rays)), rays, error_};
+  const auto seconds = worked();
+  const auto left = forecast_.left(seconds, static_cast<double>(rays));
+  const auto done = forecast_.done(seconds, static_cast<double>(rays));
+  if (left >= 0.0 && seconds > 0.0) beyond_ = std::max(0.0, left * done / seconds - (1.0 - done));
+  const Progress progress{"light", done, rays, error_, beyond_};
   const auto begin = elapsed();
   if (light != nullptr && on_light_) on_light_(*light, progress);
   const auto next = context_.report(progress);

@@ -133,6 +133,7 @@ class RunProgress {
   bool is_stop_asked_ = false;  // of several processes
   TimeForecast forecast_;
   double error_ = 0.0;
+  double beyond_ = 0.0;  // Progress::later
 };
 
 }  // namespace luxel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -57,7 +58,7 @@ Judged judged(const Recorded& run) {
     const auto before = result.last;
     result.last = forecast.done(seconds, rays);
     result.max_fall = std::max(result.max_fall, before - result.last);
-    const auto left = time_left(result.last, seconds);
+    const auto left = time_left({.stage = "light", .done = result.last}, seconds);
     if (!left || seconds < 0.1 * whole || seconds > 0.95 * whole) return;
     const auto ratio = *left / (whole - seconds);
     result.worst_ratio = std::max({result.worst_ratio, ratio, 1.0 / ratio});
@@ -187,10 +188,26 @@ TEST(TimeForecast, of_a_resumed_run_is_made_at_once) {
 }
 
 TEST(TimeLeft, is_the_rest_of_a_whole_of_which_a_part_has_passed) {
-  EXPECT_EQ(time_left(0.25, 10.0), 30.0);
-  EXPECT_EQ(time_left(1.0, 10.0), 0.0);
-  EXPECT_FALSE(time_left(0.0, 10.0));
-  EXPECT_FALSE(time_left(0.005, 10.0));
+  EXPECT_EQ(time_left({.stage = "light", .done = 0.25}, 10.0), 30.0);
+  EXPECT_EQ(time_left({.stage = "light", .done = 1.0}, 10.0), 0.0);
+  EXPECT_FALSE(time_left({.stage = "light", .done = 0.0}, 10.0));
+  EXPECT_FALSE(time_left({.stage = "light", .done = 0.005}, 10.0));
+  // A stage of 40 s, of which 10 have passed, and 60 s of later stages.
+  EXPECT_EQ(time_left({.stage = "light", .done = 0.25, .later = 1.5}, 10.0), 90.0);
+  EXPECT_EQ(time_left({.stage = "light", .done = 1.0, .later = 1.5}, 10.0), 15.0);
+  EXPECT_FALSE(time_left({.stage = "light", .done = 0.5, .later = -1.0}, 10.0));
+}
+
+TEST(TimeLeft, counts_down_until_the_next_stage_has_an_estimate_of_its_own) {
+  using namespace std::chrono_literals;
+  TimeLeft left;
+  const TimeLeft::Clock::time_point begin{};
+  EXPECT_FALSE(left.note({.stage = "refine", .done = 0.5, .later = -1.0}, 10.0, begin));
+  EXPECT_EQ(left.note({.stage = "refine", .done = 0.5, .later = 1.0}, 10.0, begin), 30.0);
+  EXPECT_EQ(left.note({.stage = "light"}, 0.0, begin + 10s), 20.0);
+  EXPECT_EQ(left.note({.stage = "light"}, 4.0, begin + 14s), 16.0);
+  EXPECT_EQ(left.note({.stage = "light", .done = 0.5}, 8.0, begin + 18s), 8.0);
+  EXPECT_FALSE(left.note({.stage = "light"}, 30.0, begin + 40s)) << "it lasted longer than expected";
 }
 
 }  // namespace
