@@ -12,7 +12,7 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t trial_rays = 64;  // per portal
-constexpr double least_seen = 0.01;       // of the sky, so that no portal is left out by bad luck
+constexpr double min_seen = 0.01;       // of the sky, so that no portal is left out by bad luck
 
 // Normal times twice the area.
 Vec3d area_vector(const std::array<Vec3, 3>& corner) {
@@ -48,7 +48,7 @@ PortalTable::PortalTable(const PatchSet& patches, const Tracer& tracer) : portal
       if ((!last || last->portal == i) && !tracer.occluded(ray, std::numeric_limits<float>::infinity()))
         ++open;
     }
-    by_sky_.add(0.5 * glm::length(outwards) * std::max(least_seen, static_cast<double>(open) / trial_rays));
+    by_sky_.add(0.5 * glm::length(outwards) * std::max(min_seen, static_cast<double>(open) / trial_rays));
   }
 }
 
