@@ -26,7 +26,8 @@ class Portals {
   // Returns the side that the ray comes from; none if it meets no portal, or first one that does not light
   // this side.
   std::uint32_t first_crossed(const Ray& ray) const;
-  // Returns the first portal that the ray meets, whether or not it lights that side: Hit::patch is the portal.
+  // Returns the first portal that the ray meets, whether or not it lights that side: Hit::patch is the
+  // portal.
   Hit nearest(const Ray& ray) const;
   // Returns the distance to it, m; infinite if there is none.
   float distance(const Ray& ray) const { return nearest(ray).distance; }

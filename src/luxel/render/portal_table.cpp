@@ -12,7 +12,7 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t trial_rays = 64;  // per portal
-constexpr double min_seen = 0.01;       // of the sky, so that no portal is left out by bad luck
+constexpr double min_seen = 0.01;         // of the sky, so that no portal is left out by bad luck
 
 // Normal times twice the area.
 Vec3d area_vector(const std::array<Vec3, 3>& corner) {
