@@ -165,7 +165,7 @@ class Refinement {
     return report({"refine", 0.5 * first_light * (answer + done), rays_before_ + p.rays});
   }
 
-  // The rays of the solve that follows, from the error of one with so many.
+  // Estimates the rays of the solve that follows from the error of a solve with `rays` rays.
   void expect_later_rays(double rays, double error) {
     if (options_.later_error == 0.0 || !(error > 0.0) || std::isinf(error)) return;
     later_rays_ = rays * std::pow(error / options_.later_error, 2.0 / later_exponent);
