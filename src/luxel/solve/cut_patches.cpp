@@ -34,18 +34,18 @@ std::vector<double> sizes_in_views(const PatchSet& patches, std::span<const doub
   return size;
 }
 
-std::vector<std::uint8_t> larger_than(double limit, std::span<const double> size) {
-  std::vector<std::uint8_t> marks(size.size());
-  std::transform(size.begin(), size.end(), marks.begin(), [&](double s) { return s > limit ? 1 : 0; });
-  return marks;
-}
-
 }  // namespace
 
 void sort_by_weight(std::span<const double> weight, std::vector<std::uint32_t>& patches) {
   std::sort(patches.begin(), patches.end(), [&](std::uint32_t a, std::uint32_t b) {
     return weight[a] != weight[b] ? weight[a] > weight[b] : a < b;
   });
+}
+
+std::vector<std::uint8_t> larger_than(double limit, std::span<const double> size) {
+  std::vector<std::uint8_t> marks(size.size());
+  std::transform(size.begin(), size.end(), marks.begin(), [&](double s) { return s > limit ? 1 : 0; });
+  return marks;
 }
 
 std::optional<RefinedPatches> cut_within_limit(const PatchSet& patches,

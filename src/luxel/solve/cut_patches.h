@@ -15,6 +15,9 @@ namespace luxel {
 // Sorts by descending weight; ties by patch. weight: [patch].
 void sort_by_weight(std::span<const double> weight, std::vector<std::uint32_t>& patches);
 
+// [patch]: 1 where the size is above the limit, else 0.
+std::vector<std::uint8_t> larger_than(double limit, std::span<const double> size);
+
 // Cuts the marked patches, or as many of those with the greatest weight as leave at most max_patches; nothing
 // where none can be cut. is_marked, weight: [patch]. See refine_patches() for the cost.
 std::optional<RefinedPatches> cut_within_limit(const PatchSet& patches,

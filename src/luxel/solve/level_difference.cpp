@@ -2,8 +2,11 @@
 #include "luxel/solve/level_difference.h"
 
 #include <cassert>
+#include <cstddef>
+#include <numeric>
 
 #include "luxel/core/barycentric.h"
+#include "luxel/patch/side.h"
 
 namespace luxel {
 namespace {
@@ -53,6 +56,19 @@ double field_at(const Answer& answer, std::size_t patch, const Vec3d& weights, b
 
 }  // namespace
 
+Contributions weighed(const FieldDifference& difference, std::span<const double> weights, std::size_t bands) {
+  const auto patches = weights.size() / 2;
+  Contributions sum{std::vector<double>(patches, 0.0), std::vector<double>(patches, 0.0)};
+  for (std::size_t p = 0; p < patches; ++p)
+    for (const bool back : {false, true})
+      for (auto i = p * bands; i < (p + 1) * bands; ++i) {
+        const auto weight = weights[SideId(p, back).index()];
+        sum.squared[p] += weight * difference.squared.of(back)[i];
+        sum.noise[p] += weight * difference.noise.of(back)[i];
+      }
+  return sum;
+}
+
 FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
                                      const Answers& fine, std::span<const std::uint32_t> parent,
                                      const Context& context) {
@@ -63,6 +79,32 @@ FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coar
     for (std::size_t i = 0; i < 2; ++i)
       d[i] = mean_at(fine[i], p, back, b) - field_at(coarse[i], parent[p], weights, back, b);
     add(1.0, d);
+  });
+}
+
+FieldDifference variation_within_wholes(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
+                                        const Answers& fine, std::span<const std::uint32_t> parent,
+                                        std::span<const std::uint8_t> is_marked, const Context& context) {
+  std::vector<std::size_t> begin(wholes.size() + 1, 0);  // [whole]: its first part
+  for (const auto whole : parent) ++begin[whole + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  return summed(wholes, context, [&](std::size_t whole, bool back, std::size_t b, const auto& add) {
+    if (is_marked[whole] == 0) return;
+    const auto fraction = [&](std::size_t part) {
+      return static_cast<double>(parts.area[part]) / static_cast<double>(wholes.area[whole]);
+    };
+    std::vector<Pair> differences;
+    Pair mean{};
+    for (auto part = begin[whole]; part < begin[whole + 1]; ++part) {
+      const auto weights = barycentric(wholes.points(whole), parts.centroid(part));
+      auto& d = differences.emplace_back();
+      for (std::size_t i = 0; i < 2; ++i) {
+        d[i] = mean_at(fine[i], part, back, b) - field_at(coarse[i], whole, weights, back, b);
+        mean[i] += fraction(part) * d[i];
+      }
+    }
+    for (std::size_t k = 0; k < differences.size(); ++k)
+      add(fraction(begin[whole] + k), {differences[k][0] - mean[0], differences[k][1] - mean[1]});
   });
 }
 

@@ -27,10 +27,24 @@ struct FieldDifference {
   FrontAndBack<double> noise;    // of the mean of both, in squares: from how they differ from each other
 };
 
+// What each patch adds to a squared error, and to the square of its noise: [patch].
+struct Contributions {
+  std::vector<double> squared, noise;
+};
+// Sums over sides and bands. weights: [side], squared error per squared difference.
+Contributions weighed(const FieldDifference& difference, std::span<const double> weights, std::size_t bands);
+
 // Squared difference of the light of parts from the light reconstructed on the wholes.
 FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
                                      const Answers& fine, std::span<const std::uint32_t> parent,
                                      const Context& context);
+
+// How the light of parts differs from that reconstructed on the wholes apart from its mean over the whole, in
+// squares: the light within patches that their means do not show. [patch of wholes][band]; 0 where a patch is
+// not marked or was not cut.
+FieldDifference variation_within_wholes(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
+                                        const Answers& fine, std::span<const std::uint32_t> parent,
+                                        std::span<const std::uint8_t> is_marked, const Context& context);
 
 // The squared residual of the reconstruction: the mean over a patch against that of the field reconstructed
 // on it, 0 where light is linear. The estimate where nothing was cut: the same order as the error of the

@@ -35,6 +35,14 @@ SideValues mean_irradiance(const Answers& answers) {
 
 }  // namespace
 
+std::vector<double> weights_in_power(const PatchSet& patches, const Answers& answers) {
+  const auto light = squared_light(patches, answers);
+  std::vector<double> weights(side_count(patches.size()), 0.0);
+  for (std::size_t s = 0; light > 0.0 && s < weights.size(); ++s)
+    weights[s] = static_cast<double>(patches.area[SideId::at(s).patch()]) / light;
+  return weights;
+}
+
 void MeshEstimate::note_cut(FieldDifference change, std::span<const std::uint32_t> parent,
                             std::size_t bands) {
   const bool is_first = change_.squared.front.empty();
@@ -59,40 +67,25 @@ void MeshEstimate::look(const PatchSet& patches, const Answers& answers, const T
   weights_.clear();
   if (measure == ErrorMeasure::seen)
     weights_ = seen_sides(patches, tracer, mean_irradiance(answers), expected.squared, context).importance;
-  if (weights_.empty()) {
-    const auto light = squared_light(patches, answers);
-    weights_.assign(side_count(patches.size()), 0.0);
-    for (std::size_t s = 0; light > 0.0 && s < weights_.size(); ++s)
-      weights_[s] = static_cast<double>(patches.area[SideId::at(s).patch()]) / light;
-  }
-  weigh(expected, patches.band_count());
-}
-
-void MeshEstimate::weigh(const FieldDifference& expected, std::size_t bands) {
-  const auto patches = weights_.size() / 2;
-  squared_.assign(patches, 0.0);
-  noise_.assign(patches, 0.0);
-  for (std::size_t p = 0; p < patches; ++p)
-    for (const bool back : {false, true})
-      for (auto i = p * bands; i < (p + 1) * bands; ++i) {
-        const auto weight = weights_[SideId(p, back).index()];
-        squared_[p] += weight * expected.squared.of(back)[i];
-        noise_[p] += weight * expected.noise.of(back)[i];
-      }
+  if (weights_.empty()) weights_ = weights_in_power(patches, answers);
+  expected_ = weighed(expected, weights_, patches.band_count());
 }
 
 void MeshEstimate::predict_cut(std::span<const std::uint32_t> parent) {
-  std::vector<std::size_t> parts_of(squared_.size(), 0);
+  auto& squared = expected_.squared;
+  std::vector<std::size_t> parts_of(squared.size(), 0);
   for (const auto whole : parent) ++parts_of[whole];
-  for (std::size_t p = 0; p < squared_.size(); ++p)
-    if (parts_of[p] > 1) squared_[p] *= left_by_halving;
+  for (std::size_t p = 0; p < squared.size(); ++p)
+    if (parts_of[p] > 1) squared[p] *= left_by_halving;
 }
 
-// The standard deviation of a product of two differences of noise σ is σ²; noise_ is σ²/2 times a chi-squared
-// variable of one degree of freedom, its mean square 3/4 σ⁴. What halving changes is what it does not leave.
+// The standard deviation of a product of two differences of noise σ is σ²; its noise is σ²/2 times a
+// chi-squared variable of one degree of freedom, its mean square 3/4 σ⁴. What halving changes is what it does
+// not leave.
 double MeshEstimate::error() const {
-  const auto sum = std::accumulate(squared_.begin(), squared_.end(), 0.0);
-  const auto squares = std::inner_product(noise_.begin(), noise_.end(), noise_.begin(), 0.0);
+  const auto& [squared, noise] = expected_;
+  const auto sum = std::accumulate(squared.begin(), squared.end(), 0.0);
+  const auto squares = std::inner_product(noise.begin(), noise.end(), noise.begin(), 0.0);
   return std::sqrt((std::max(0.0, sum) + std::sqrt(4.0 / 3.0 * squares)) / (1.0 - left_by_halving));
 }
 

@@ -18,6 +18,9 @@ namespace luxel {
 // where the light is smooth.
 constexpr double left_by_halving = 0.5;
 
+// [side]: squared error of the power per squared difference of irradiance, (m²/W)².
+std::vector<double> weights_in_power(const PatchSet& patches, const Answers& answers);
+
 // Estimates the error that the size of patches leaves in the reconstructed light, and how much of it each
 // patch has: see refine_to_light(). One object follows a mesh from cut to cut.
 class MeshEstimate {
@@ -37,18 +40,15 @@ class MeshEstimate {
   double error() const;  // of the mesh; high by a standard error of the sum of squares
   // [patch]: what each adds to the square of the error, twice what is left by cutting it, and to that of its
   // noise. The first is unbiased as long as it decides nothing, so below 0 in places.
-  std::span<const double> squared() const { return squared_; }
-  std::span<const double> noise() const { return noise_; }
+  std::span<const double> squared() const { return expected_.squared; }
+  std::span<const double> noise() const { return expected_.noise; }
   // [side]: squared error of the whole per squared difference of irradiance, summed over bands, (m²/W)².
   std::span<const double> weights() const { return weights_; }
 
  private:
-  // expected: of the next cut.
-  void weigh(const FieldDifference& expected, std::size_t bands);
-
   FieldDifference change_;  // by the cuts that made the patches
   std::vector<double> weights_;
-  std::vector<double> squared_, noise_;
+  Contributions expected_;  // of the next cut
 };
 
 }  // namespace luxel

@@ -16,6 +16,7 @@
 #include "luxel/solve/level_difference.h"
 #include "luxel/solve/mesh_estimate.h"
 #include "luxel/solve/part_light.h"
+#include "luxel/solve/trial_cuts.h"
 #include "luxel/trace/tracer.h"
 
 namespace luxel {
@@ -35,6 +36,10 @@ constexpr std::size_t selected = 3;
 constexpr double max_unrefined_fraction = 0.7;
 constexpr double usual_step = 0.05, step_of_large_meshes = 0.003;  // fractions of the patches
 constexpr std::size_t large_step = 500;                            // at which the one gives way to the other
+// Trial cuts: rays of the first trial, over those of the first light; of the later ones, over those; what is
+// found over the squared target, for another trial.
+constexpr double trial_part = 1.0 / 3.0, later_trials = 0.25, min_found = 0.02;
+constexpr int max_trials = 5;
 constexpr double min_gain = 0.1;  // of the squared error in patches that are cut, for another level
 // patches over those before, for another level, where the cost has a bound
 constexpr double min_level = 1.01;
@@ -75,6 +80,7 @@ class Refinement {
         cut_large_patches(now_.patches, options_.light.error_measure, options_.max_patches, context_);
     if (!look(first.value_or(whole(now_.patches)))) return end(RefineStop::stopped_by_user);
     bound_cost();
+    if (!cut_on_trial()) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
       if (is_met()) {
         if (cuts_ == 0 || !can_look_again()) return end(RefineStop::mesh_error_reached);
@@ -92,6 +98,7 @@ class Refinement {
                                                      min_level * static_cast<double>(now_.patches.size())))
         return end_unseen(std::move(*refined));
       if (!look(std::move(*refined))) return end(RefineStop::stopped_by_user);
+      ++cuts_;
     }
   }
 
@@ -195,7 +202,7 @@ class Refinement {
 
   std::uint64_t seed_of(std::uint32_t answer) const {
     return stream_key(options_.light.seed, RandomPurpose::refinement,
-                      2 * static_cast<std::uint32_t>(report_.levels.size()) + answer);
+                      3 * static_cast<std::uint32_t>(report_.levels.size()) + answer);
   }
 
   bool solve(Level& level, const Tracer& tracer) {
@@ -257,9 +264,36 @@ class Refinement {
     }
     auto change = difference_of_levels(now_.patches, coarse, next.patches, next.answers, parent, context_);
     estimate_.note_cut(std::move(change), parent, bands);
-    if (!report_.levels.empty()) ++cuts_;  // the first cut was decided without light
     now_ = std::move(next);
     estimate(tracer);
+    return true;
+  }
+
+  // Cuts patches within which light varies as their means do not show. Returns false if the monitor stops the
+  // work.
+  bool cut_on_trial() {
+    TrialCuts trial(now_.patches, options_.light.error_measure, Tracer(now_.patches, context_), context_);
+    const auto context = context_.with_monitor([this](const Progress& p) { return tell(p.rays); });
+    const auto target = options_.mesh_error * options_.mesh_error;
+    auto max_rays = trial_part * static_cast<double>(report_.levels.front().rays);
+    for (int i = 1; i <= max_trials; ++i) {
+      auto how = options_.light;
+      how.seed = seed_of(2);
+      const auto rays = trial.try_out(now_.patches, now_.answers, max_rays, how, context);
+      if (!rays) return false;
+      rays_before_ += *rays;
+      if (i == 1) max_rays *= later_trials;
+      const auto squared = trial.squared();
+      if (std::accumulate(squared.begin(), squared.end(), 0.0) < min_found * target) return true;
+      // Each leaves half of the patches that may be added to those that follow.
+      const auto size = now_.patches.size();
+      const auto room = options_.max_patches > size ? options_.max_patches - size : 0;
+      const auto marks = larger_than(target / static_cast<double>(size), squared);
+      auto refined = cut_within_limit(now_.patches, marks, squared, size + room / 2, context_);
+      if (!refined || refined->patches.size() == size) return true;
+      trial.note_cut(refined->parent);
+      if (!look(std::move(*refined))) return false;
+    }
     return true;
   }
 

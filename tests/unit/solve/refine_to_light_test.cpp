@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/address.h"
+#include "luxel/core/bounds.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/trace/tracer.h"
 
@@ -177,6 +178,33 @@ TEST(RefineToLight, walls_are_cut_before_the_first_light_by_what_the_views_see_o
   // where the outside is a place too.
   EXPECT_LT(longest_of_walls(ErrorMeasure::seen), 0.2f);
   EXPECT_GT(longest_of_walls(ErrorMeasure::power), 0.9f);
+}
+
+// A plate of 3 cm, 1 cm above a floor of patches 13 times as long, below a lamp as large as the floor.
+TEST(RefineToLight, a_shadow_smaller_than_its_patch_is_cut_out) {
+  truth::SceneBuilder b;
+  const Vec3 middle(0.3f, -0.2f, 0.01f);
+  const float h = 0.015f;
+  b.material("floor", 0.5f, 0.0f).quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+  b.material("lamp", 0.0f, 10.0f).quad({-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1});
+  b.material("plate", 0.0f, 0.0f)
+      .quad(middle + Vec3(-h, -h, 0), middle + Vec3(h, -h, 0), middle + Vec3(h, h, 0),
+            middle + Vec3(-h, h, 0));
+  RefineReport report;
+  const auto patches = refine_to_light(
+      make_patches(b.scene(), {.max_edge = 0.4f, .contacts = false}),
+      {.mesh_error = 0.02, .max_cost = 0.5, .light = {.error_measure = ErrorMeasure::power}}, report);
+  float longest = 0.0f;  // of the patches that touch the plate's footprint
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (patches.material_of(p).name != "floor") continue;
+    Bounds box;
+    for (const auto& corner : patches.points(p)) box.add(corner);
+    if (box.low.x > middle.x + h || box.high.x < middle.x - h || box.low.y > middle.y + h ||
+        box.high.y < middle.y - h)
+      continue;
+    longest = std::max(longest, std::max(box.size().x, box.size().y));
+  }
+  EXPECT_LT(longest, 0.05f);
 }
 
 TEST(RefineToLight, the_same_patches_on_any_number_of_threads) {
