@@ -84,12 +84,11 @@ FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coar
 
 FieldDifference variation_within_wholes(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
                                         const Answers& fine, std::span<const std::uint32_t> parent,
-                                        std::span<const std::uint8_t> is_marked, const Context& context) {
+                                        const Context& context) {
   std::vector<std::size_t> begin(wholes.size() + 1, 0);  // [whole]: its first part
   for (const auto whole : parent) ++begin[whole + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   return summed(wholes, context, [&](std::size_t whole, bool back, std::size_t b, const auto& add) {
-    if (is_marked[whole] == 0) return;
     const auto fraction = [&](std::size_t part) {
       return static_cast<double>(parts.area[part]) / static_cast<double>(wholes.area[whole]);
     };

@@ -40,11 +40,11 @@ FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coar
                                      const Context& context);
 
 // How the light of parts differs from that reconstructed on the wholes apart from its mean over the whole, in
-// squares: the light within patches that their means do not show. [patch of wholes][band]; 0 where a patch is
-// not marked or was not cut.
+// squares: the light within patches that their means do not show. [patch of wholes][band]; 0 where a patch
+// was not cut.
 FieldDifference variation_within_wholes(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
                                         const Answers& fine, std::span<const std::uint32_t> parent,
-                                        std::span<const std::uint8_t> is_marked, const Context& context);
+                                        const Context& context);
 
 // The squared residual of the reconstruction: the mean over a patch against that of the field reconstructed
 // on it, 0 where light is linear. The estimate where nothing was cut: the same order as the error of the

@@ -118,11 +118,10 @@ class Trial {
     return rays;
   }
 
-  // The change within the patches that cuts would make; noise is above 0 where a patch was tried. Nothing if
-  // the monitor stops the work. rays_of_parts: [patch].
+  // The change within the patches that cuts would make, for patches with rays. Nothing if the monitor stops
+  // the work. rays_of_parts: [patch].
   std::optional<Contributions> change(std::span<const std::uint32_t> rays_of_parts, std::uint32_t stream) {
-    const auto marks = has_rays(rays_of_parts);
-    const auto refined = refine_patches(patches_, marks, context_);
+    const auto refined = refine_patches(patches_, has_rays(rays_of_parts), context_);
     const Tracer tracer(refined.patches, context_);
     const Cut cut{refined.patches, tracer, refined.parent};
     const auto rays = rays_of_sides(cut, rays_of_parts);
@@ -139,9 +138,9 @@ class Trial {
       if (!traced) return std::nullopt;
       rays_ += *traced;
     }
-    auto result = weighed(variation_within_wholes(patches_, answers_, refined.patches, of_parts,
-                                                  refined.parent, marks, context_),
-                          weights_, patches_.band_count());
+    auto result = weighed(
+        variation_within_wholes(patches_, answers_, refined.patches, of_parts, refined.parent, context_),
+        weights_, patches_.band_count());
     pool_noise(rays_of_parts, result.noise);
     return result;
   }
