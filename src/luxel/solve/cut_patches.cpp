@@ -34,6 +34,18 @@ std::vector<double> sizes_in_views(const PatchSet& patches, std::span<const doub
   return size;
 }
 
+std::vector<double> of_parts(std::span<const double> of_wholes, std::span<const std::uint32_t> parent) {
+  std::vector<double> result;
+  for (const auto p : parent) result.push_back(of_wholes[p]);
+  return result;
+}
+
+RefinedPatches uncut(const PatchSet& patches) {
+  RefinedPatches result{patches, std::vector<std::uint32_t>(patches.size())};
+  std::iota(result.parent.begin(), result.parent.end(), 0u);
+  return result;
+}
+
 }  // namespace
 
 void sort_by_weight(std::span<const double> weight, std::vector<std::uint32_t>& patches) {
@@ -68,19 +80,18 @@ std::optional<RefinedPatches> cut_within_limit(const PatchSet& patches,
   return std::nullopt;
 }
 
-std::optional<RefinedPatches> cut_large_patches(PatchSet& patches, ErrorMeasure measure,
-                                                std::size_t max_patches, const Context& context) {
+LargeCuts cut_large_patches(PatchSet& patches, ErrorMeasure measure, std::size_t max_patches,
+                            const Context& context) {
   std::vector<double> density;
   if (measure == ErrorMeasure::seen) density = seen_densities(patches, Tracer(patches, context), context);
+  const bool has_views = !density.empty();
   density.resize(patches.size(), 0.0);
   for (;;) {
     const auto size = sizes_in_views(patches, density);
     const auto marks = larger_than(parts * large_in_views, size);
     auto refined = cut_within_limit(patches, marks, size, max_patches, context);
     if (!refined || refined->patches.size() == patches.size()) break;
-    std::vector<double> of_parts;
-    for (const auto parent : refined->parent) of_parts.push_back(density[parent]);
-    density = std::move(of_parts);
+    density = of_parts(density, refined->parent);
     patches = std::move(refined->patches);
   }
   auto size = sizes_in_views(patches, density);
@@ -91,7 +102,11 @@ std::optional<RefinedPatches> cut_large_patches(PatchSet& patches, ErrorMeasure 
     if (in_scene > large_in_scene) marks[p] = 1;
     size[p] = std::max(size[p], in_scene);
   }
-  return cut_within_limit(patches, marks, size, max_patches, context);
+  auto refined = cut_within_limit(patches, marks, size, max_patches, context);
+  if (!refined) refined = uncut(patches);
+  if (!has_views) return {std::move(*refined), {}};
+  density = of_parts(density, refined->parent);
+  return {std::move(*refined), std::move(density)};
 }
 
 }  // namespace luxel

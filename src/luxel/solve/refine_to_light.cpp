@@ -76,11 +76,11 @@ class Refinement {
   }
 
   PatchSet go() {
-    const auto first =
+    auto first =
         cut_large_patches(now_.patches, options_.light.error_measure, options_.max_patches, context_);
-    if (!look(first.value_or(whole(now_.patches)))) return end(RefineStop::stopped_by_user);
+    if (!look(std::move(first.refined))) return end(RefineStop::stopped_by_user);
     bound_cost();
-    if (!cut_on_trial()) return end(RefineStop::stopped_by_user);
+    if (!cut_on_trial(std::move(first.density))) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
       if (is_met()) {
         if (cuts_ == 0 || !can_look_again()) return end(RefineStop::mesh_error_reached);
@@ -269,10 +269,11 @@ class Refinement {
     return true;
   }
 
-  // Cuts patches within which light varies as their means do not show. Returns false if the monitor stops the
-  // work.
-  bool cut_on_trial() {
-    TrialCuts trial(now_.patches, options_.light.error_measure, Tracer(now_.patches, context_), context_);
+  // Cuts patches within which light varies as their means do not show. density: as LargeCuts has it. Returns
+  // false if the monitor stops the work.
+  bool cut_on_trial(std::vector<double> density) {
+    if (!is_within_cost(0)) return true;
+    TrialCuts trial(now_.patches.size(), std::move(density));
     const auto context = context_.with_monitor([this](const Progress& p) { return tell(p.rays); });
     const auto target = options_.mesh_error * options_.mesh_error;
     auto max_rays = trial_part * static_cast<double>(report_.levels.front().rays);
@@ -358,12 +359,6 @@ class Refinement {
       cut += squared[p];
     }
     return marks;
-  }
-
-  static RefinedPatches whole(const PatchSet& patches) {
-    RefinedPatches result{patches, std::vector<std::uint32_t>(patches.size())};
-    std::iota(result.parent.begin(), result.parent.end(), 0u);
-    return result;
   }
 
   std::optional<RefinedPatches> cut_marked(std::span<const std::uint8_t> marks) const {

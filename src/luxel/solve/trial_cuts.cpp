@@ -11,7 +11,7 @@
 #include "luxel/patch/side.h"
 #include "luxel/solve/mesh_estimate.h"
 #include "luxel/solve/part_light.h"
-#include "luxel/solve/seen_measure.h"
+#include "luxel/trace/tracer.h"
 
 namespace luxel {
 namespace {
@@ -185,20 +185,16 @@ class Trial {
 
 }  // namespace
 
-TrialCuts::TrialCuts(const PatchSet& patches, ErrorMeasure measure, const Tracer& tracer,
-                     const Context& context)
-    : measure_(measure), is_candidate_(patches.size(), 1), squared_(patches.size(), 0.0) {
-  if (measure == ErrorMeasure::seen) density_ = seen_densities(patches, tracer, context);
-  if (density_.empty()) density_.assign(patches.size(), 1.0);
-}
+TrialCuts::TrialCuts(std::size_t patches, std::vector<double> density)
+    : density_(std::move(density)), is_candidate_(patches, 1), squared_(patches, 0.0) {}
 
 std::optional<std::uint64_t> TrialCuts::try_out(const PatchSet& patches, const Answers& answers,
                                                 double max_rays, const SampledOptions& how,
                                                 const Context& context) {
-  Trial trial(patches, answers,
-              measure_ == ErrorMeasure::power ? weights_in_power(patches, answers)
-                                              : weights_in_views(patches, answers, density_),
-              how, context);
+  Trial trial(
+      patches, answers,
+      density_.empty() ? weights_in_power(patches, answers) : weights_in_views(patches, answers, density_),
+      how, context);
   auto rays = trial.rays_for(is_candidate_, max_rays, rays_per_contribution_);
   rays_per_contribution_ *= growth;
   std::fill(is_candidate_.begin(), is_candidate_.end(), std::uint8_t{0});
@@ -219,11 +215,11 @@ std::optional<std::uint64_t> TrialCuts::try_out(const PatchSet& patches, const A
 }
 
 void TrialCuts::note_cut(std::span<const std::uint32_t> parent) {
-  std::vector<double> density(parent.size()), squared(parent.size());
+  std::vector<double> density(density_.empty() ? 0 : parent.size()), squared(parent.size());
   std::vector<std::uint8_t> is_candidate(parent.size());
   for (std::size_t p = 0; p < parent.size(); ++p) {
     const bool was_cut = is_part(parent, p);
-    density[p] = density_[parent[p]];
+    if (!density_.empty()) density[p] = density_[parent[p]];
     squared[p] = was_cut ? 0.0 : squared_[parent[p]];
     is_candidate[p] = was_cut ? 1 : is_candidate_[parent[p]];
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,7 +11,6 @@
 #include "luxel/patch/patch_set.h"
 #include "luxel/solve/level_difference.h"
 #include "luxel/solve/sampled.h"
-#include "luxel/trace/tracer.h"
 
 namespace luxel {
 
@@ -26,9 +26,9 @@ namespace luxel {
 // exceeds one and the same error. One object follows a mesh from cut to cut.
 class TrialCuts {
  public:
-  // Contributions are those to the square of the error in the mean view, of light that varies by its own
-  // size; with ErrorMeasure::power, or without views, those of the area. Cost: that of seen_densities().
-  TrialCuts(const PatchSet& patches, ErrorMeasure measure, const Tracer& tracer, const Context& context);
+  // density: [patch], 1/m², see seen_densities(). Errors count by their square in the mean view, relative to
+  // the light there. Empty: by that of the power.
+  TrialCuts(std::size_t patches, std::vector<double> density);
 
   // Tries patches that no trial has seen, with at most so many rays the first time, and fewer than four times
   // as many the second. how: options of the rays; equal seeds give equal rays. Returns the number of rays;
@@ -44,8 +44,7 @@ class TrialCuts {
   std::span<const double> squared() const { return squared_; }
 
  private:
-  ErrorMeasure measure_;
-  std::vector<double> density_;             // [patch], 1/m²
+  std::vector<double> density_;
   std::vector<std::uint8_t> is_candidate_;  // [patch]: was not tried
   std::vector<double> squared_;
   double rays_per_contribution_ = 0.0;  // of a part, at most; 0: any number

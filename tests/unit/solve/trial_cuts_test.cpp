@@ -55,7 +55,7 @@ struct Tried {
 Tried try_all(const PatchSet& patches, double max_rays, std::uint64_t seed, const Context& context) {
   const Tracer tracer(patches, context);
   const auto answers = answers_for(patches, tracer, seed, context);
-  TrialCuts trial(patches, ErrorMeasure::power, tracer, context);
+  TrialCuts trial(patches.size(), {});
   const auto rays = trial.try_out(patches, answers, max_rays, {.seed = seed}, context);
   return {{trial.squared().begin(), trial.squared().end()}, rays.value_or(0)};
 }
@@ -102,7 +102,7 @@ TEST(TrialCuts, patches_are_tried_once_and_parts_after_their_whole) {
   const auto patches = floor_below_plate(true);
   const Tracer tracer(patches, context);
   const auto answers = answers_for(patches, tracer, 1, context);
-  TrialCuts trial(patches, ErrorMeasure::power, tracer, context);
+  TrialCuts trial(patches.size(), {});
   constexpr double allowed = 4e5;
   ASSERT_GT(trial.try_out(patches, answers, allowed, {}, context).value_or(0), 0u);
   const std::vector<double> before(trial.squared().begin(), trial.squared().end());
@@ -127,7 +127,7 @@ TEST(TrialCuts, a_monitor_stops_them) {
   const auto patches = floor_below_plate(true);
   const Tracer tracer(patches, context);
   const auto answers = answers_for(patches, tracer, 1, context);
-  TrialCuts trial(patches, ErrorMeasure::seen, tracer, context);
+  TrialCuts trial(patches.size(), std::vector<double>(patches.size(), 1.0));
   const auto stopping = context.with_monitor([](const Progress&) { return Next::stop; });
   EXPECT_EQ(trial.try_out(patches, answers, 4e5, {}, stopping), std::nullopt);
 }
