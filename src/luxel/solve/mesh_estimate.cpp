@@ -56,27 +56,6 @@ void MeshEstimate::note_cut(FieldDifference change, std::span<const std::uint32_
   change_ = std::move(change);
 }
 
-void MeshEstimate::inherit(const PatchSet& parts, const PatchSet& wholes,
-                           std::span<const std::uint32_t> parent) {
-  const auto bands = parts.band_count();
-  FieldDifference change;
-  for (const auto values : {&FieldDifference::squared, &FieldDifference::noise})
-    for (const bool back : {false, true}) {
-      auto& to = (change.*values).of(back);
-      to.resize(parent.size() * bands);
-      for (std::size_t p = 0; p < parent.size(); ++p)
-        copy_row((change_.*values).of(back), parent[p], to, p, bands);
-    }
-  change_ = std::move(change);
-  std::vector<double> weights(side_count(parent.size()));
-  for (std::size_t p = 0; p < parent.size(); ++p)
-    for (const bool back : {false, true})
-      weights[SideId(p, back).index()] = weights_[SideId(parent[p], back).index()] *
-                                         static_cast<double>(parts.area[p]) /
-                                         static_cast<double>(wholes.area[parent[p]]);
-  weights_ = std::move(weights);
-}
-
 void MeshEstimate::look(const PatchSet& patches, const Answers& answers, const Tracer& tracer,
                         ErrorMeasure measure, const Context& context) {
   auto expected = residual_within_patches(patches, answers, context);

@@ -29,9 +29,6 @@ class MeshEstimate {
   // changed. parent: [part].
   void note_cut(FieldDifference change, std::span<const std::uint32_t> parent, std::size_t bands);
 
-  // After a cut that is not estimated by itself: parts have what their whole had, until look().
-  void inherit(const PatchSet& parts, const PatchSet& wholes, std::span<const std::uint32_t> parent);
-
   // Estimates what cutting each patch would change: the residual of its light, and some of what its own cut
   // changed. Weighs the sides as refine_to_light() says.
   void look(const PatchSet& patches, const Answers& answers, const Tracer& tracer, ErrorMeasure measure,

@@ -201,7 +201,8 @@ class Refinement {
   bool is_stopped() const { return !report_.levels.empty() && tell(0) == Next::stop; }
 
   std::uint64_t seed_of(std::uint32_t answer) const {
-    return stream_key(options_.light.seed, RandomPurpose::refinement, 3 * meshes_ + answer);
+    return stream_key(options_.light.seed, RandomPurpose::refinement,
+                      3 * static_cast<std::uint32_t>(report_.levels.size()) + answer);
   }
 
   bool solve(Level& level, const Tracer& tracer) {
@@ -220,7 +221,6 @@ class Refinement {
       if (solved.stop == StopReason::stopped_by_user) return false;
       smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
     }
-    ++meshes_;
     return true;
   }
 
@@ -244,7 +244,6 @@ class Refinement {
       smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
       if (is_stopped()) return false;
     }
-    ++meshes_;
     return true;
   }
 
@@ -286,21 +285,16 @@ class Refinement {
       rays_before_ += *rays;
       if (i == 1) max_rays *= later_trials;
       const auto squared = trial.squared();
-      if (std::accumulate(squared.begin(), squared.end(), 0.0) < min_found * target) break;
+      if (std::accumulate(squared.begin(), squared.end(), 0.0) < min_found * target) return true;
       // Each leaves half of the patches that may be added to those that follow.
       const auto size = now_.patches.size();
       const auto room = options_.max_patches > size ? options_.max_patches - size : 0;
       const auto marks = larger_than(target / static_cast<double>(size), squared);
       auto refined = cut_within_limit(now_.patches, marks, squared, size + room / 2, context_);
-      if (!refined || refined->patches.size() == size) break;
+      if (!refined || refined->patches.size() == size) return true;
       trial.note_cut(refined->parent);
-      Level next;
-      next.patches = std::move(refined->patches);
-      if (!gather(next, Tracer(next.patches, context_), refined->parent)) return false;
-      estimate_.inherit(next.patches, now_.patches, refined->parent);
-      now_ = std::move(next);
+      if (!look(std::move(*refined))) return false;
     }
-    if (now_.patches.size() > report_.levels.back().patches) estimate(Tracer(now_.patches, context_));
     return true;
   }
 
@@ -379,7 +373,6 @@ class Refinement {
   std::uint64_t rays_before_ = 0;
   double allowed_rays_ = 0.0;  // see bound_cost(); 0: unknown, or without a bound
   double later_rays_ = 0.0;    // of the solve that follows; 0: unknown
-  std::uint32_t meshes_ = 0;   // that had light so far
   std::size_t cuts_ = 0;       // decided by the present estimates
 };
 
