@@ -80,11 +80,10 @@ std::optional<RefinedPatches> cut_within_limit(const PatchSet& patches,
   return std::nullopt;
 }
 
-LargeCuts cut_large_patches(PatchSet& patches, ErrorMeasure measure, std::size_t max_patches,
-                            const Context& context) {
+RefinedPatches cut_large_patches(PatchSet& patches, ErrorMeasure measure, std::size_t max_patches,
+                                 const Context& context) {
   std::vector<double> density;
   if (measure == ErrorMeasure::seen) density = seen_densities(patches, Tracer(patches, context), context);
-  const bool has_views = !density.empty();
   density.resize(patches.size(), 0.0);
   for (;;) {
     const auto size = sizes_in_views(patches, density);
@@ -103,10 +102,7 @@ LargeCuts cut_large_patches(PatchSet& patches, ErrorMeasure measure, std::size_t
     size[p] = std::max(size[p], in_scene);
   }
   auto refined = cut_within_limit(patches, marks, size, max_patches, context);
-  if (!refined) refined = uncut(patches);
-  if (!has_views) return {std::move(*refined), {}};
-  density = of_parts(density, refined->parent);
-  return {std::move(*refined), std::move(density)};
+  return refined ? std::move(*refined) : uncut(patches);
 }
 
 }  // namespace luxel

@@ -25,17 +25,11 @@ std::optional<RefinedPatches> cut_within_limit(const PatchSet& patches,
                                                std::span<const double> weight, std::size_t max_patches,
                                                const Context& context);
 
-struct LargeCuts {
-  RefinedPatches refined;
-  std::vector<double>
-      density;  // [patch], 1/m²: see seen_densities(); empty: ErrorMeasure::power, or no views
-};
-
 // Cuts patches that are large as seen from the views, like walls beside a thousand small things (with
 // ErrorMeasure::seen), and once those large in the scene. All cuts but the last replace `patches`; the last
 // is returned, so that its light shows the effect of halving a patch. Cost: seen_densities() and some
 // refine_patches().
-LargeCuts cut_large_patches(PatchSet& patches, ErrorMeasure measure, std::size_t max_patches,
-                            const Context& context);
+RefinedPatches cut_large_patches(PatchSet& patches, ErrorMeasure measure, std::size_t max_patches,
+                                 const Context& context);
 
 }  // namespace luxel

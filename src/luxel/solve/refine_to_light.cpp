@@ -16,6 +16,7 @@
 #include "luxel/solve/level_difference.h"
 #include "luxel/solve/mesh_estimate.h"
 #include "luxel/solve/part_light.h"
+#include "luxel/solve/seen_measure.h"
 #include "luxel/solve/trial_cuts.h"
 #include "luxel/trace/tracer.h"
 
@@ -78,9 +79,9 @@ class Refinement {
   PatchSet go() {
     auto first =
         cut_large_patches(now_.patches, options_.light.error_measure, options_.max_patches, context_);
-    if (!look(std::move(first.refined))) return end(RefineStop::stopped_by_user);
+    if (!look(std::move(first))) return end(RefineStop::stopped_by_user);
     bound_cost();
-    if (!cut_on_trial(std::move(first.density))) return end(RefineStop::stopped_by_user);
+    if (!cut_on_trial()) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
       if (is_met()) {
         if (cuts_ == 0 || !can_look_again()) return end(RefineStop::mesh_error_reached);
@@ -269,10 +270,13 @@ class Refinement {
     return true;
   }
 
-  // Cuts patches within which light varies as their means do not show. density: as LargeCuts has it. Returns
-  // false if the monitor stops the work.
-  bool cut_on_trial(std::vector<double> density) {
+  // Cuts patches within which light varies as their means do not show. Returns false if the monitor stops the
+  // work.
+  bool cut_on_trial() {
     if (!is_within_cost(0)) return true;
+    std::vector<double> density;
+    if (options_.light.error_measure == ErrorMeasure::seen)
+      density = seen_densities(now_.patches, Tracer(now_.patches, context_), context_);
     TrialCuts trial(now_.patches.size(), std::move(density));
     const auto context = context_.with_monitor([this](const Progress& p) { return tell(p.rays); });
     const auto target = options_.mesh_error * options_.mesh_error;
