@@ -74,8 +74,9 @@ struct RefineReport {
 /// ErrorMeasure::power, and where the scene has no open space, by its area over the squared light of the
 /// scene.
 ///
-/// What varies within a patch shows in no mean: after the first light patches are cut on trial, the large
-/// ones as seen from the views first, and those remain cut whose parts surely differ (solve/trial_cuts.h).
+/// The mean of a patch does not show how light varies within it. So after the first light patches are cut on
+/// trial, first those that are large as seen from the views; the cuts remain where the parts differ by more
+/// than noise (solve/trial_cuts.h).
 ///
 /// The patches with the largest estimates are cut in four, a few at a time. The parts gather the light of the
 /// scene as it is known (solve/part_light.h): the cost of a level is that of its parts. When the target seems
@@ -87,8 +88,9 @@ struct RefineReport {
 /// so that rough answers suffice. Their random streams differ from those of other levels and of a later
 /// solve.
 ///
-/// The same bits on any number of threads. Cost: two coarse solves, a third of their rays and up to
-/// as much again for trials, two more on the last mesh, and for each part at most 512 rays.
+/// The same bits on any number of threads. Cost: two coarse solves, trials that mostly take fewer rays
+/// than these (at most 3.4 times as many), two more solves on the last mesh, and for each part at most 512
+/// rays.
 PatchSet refine_to_light(PatchSet patches, const RefineOptions& options, RefineReport& report,
                          const Context& context = {});
 

@@ -27,7 +27,7 @@ struct FieldDifference {
   FrontAndBack<double> noise;    // of the mean of both, in squares: from how they differ from each other
 };
 
-// What each patch adds to a squared error, and to the square of its noise: [patch].
+// Contributions of patches to a squared error, and to the square of its noise: [patch].
 struct Contributions {
   std::vector<double> squared, noise;
 };
@@ -39,9 +39,9 @@ FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coar
                                      const Answers& fine, std::span<const std::uint32_t> parent,
                                      const Context& context);
 
-// How the light of parts differs from that reconstructed on the wholes apart from its mean over the whole, in
-// squares: the light within patches that their means do not show. [patch of wholes][band]; 0 where a patch
-// was not cut.
+// Squared variation of light within patches that their means do not show: differences of parts from the light
+// reconstructed on the whole, less the mean of these differences over the whole. [patch of wholes][band]; 0
+// where a patch was not cut.
 FieldDifference variation_within_wholes(const PatchSet& wholes, const Answers& coarse, const PatchSet& parts,
                                         const Answers& fine, std::span<const std::uint32_t> parent,
                                         const Context& context);

@@ -37,8 +37,8 @@ constexpr std::size_t selected = 3;
 constexpr double max_unrefined_fraction = 0.7;
 constexpr double usual_step = 0.05, step_of_large_meshes = 0.003;  // fractions of the patches
 constexpr std::size_t large_step = 500;                            // at which the one gives way to the other
-// Trial cuts: rays of the first trial, over those of the first light; of the later ones, over those; what is
-// found over the squared target, for another trial.
+// Trial cuts: rays of the first trial over those of the first light; of a later trial over those of the first
+// trial; and the squared error found over the squared target from which on another trial follows.
 constexpr double trial_part = 1.0 / 3.0, later_trials = 0.25, min_found = 0.02;
 constexpr int max_trials = 5;
 constexpr double min_gain = 0.1;  // of the squared error in patches that are cut, for another level
@@ -77,9 +77,8 @@ class Refinement {
   }
 
   PatchSet go() {
-    auto first =
-        cut_large_patches(now_.patches, options_.light.error_measure, options_.max_patches, context_);
-    if (!look(std::move(first))) return end(RefineStop::stopped_by_user);
+    if (!look(cut_large_patches(now_.patches, options_.light.error_measure, options_.max_patches, context_)))
+      return end(RefineStop::stopped_by_user);
     bound_cost();
     if (!cut_on_trial()) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
@@ -201,6 +200,7 @@ class Refinement {
   // Between the steps of a level that trace no rays.
   bool is_stopped() const { return !report_.levels.empty() && tell(0) == Next::stop; }
 
+  // answer: 0, 1, or 2 for trial cuts.
   std::uint64_t seed_of(std::uint32_t answer) const {
     return stream_key(options_.light.seed, RandomPurpose::refinement,
                       3 * static_cast<std::uint32_t>(report_.levels.size()) + answer);

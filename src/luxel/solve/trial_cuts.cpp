@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <utility>
 
 #include "luxel/core/address.h"
@@ -16,9 +15,9 @@
 namespace luxel {
 namespace {
 
-constexpr double rays_per_sample = 4.0 * 2.0 * 2.0;   // parts; answers; a shadow ray and a gather ray
-constexpr double min_rays = 16.0, max_rays = 1024.0;  // of a part the first time
-constexpr std::uint32_t more_rays = 4;                // the second time
+constexpr double rays_per_sample = 4.0 * 2.0 * 2.0;         // parts; answers; a shadow ray and a gather ray
+constexpr double min_of_part = 16.0, max_of_part = 1024.0;  // rays the first time
+constexpr std::uint32_t more_rays = 4;                      // the second time
 constexpr double promising = 2.0;  // estimate over its noise from which on a patch is tried a second time
 constexpr double sure = 2.0;       // and is cut after that
 // Rays per contribution over those of the trial before, at most: a part has a quarter of its whole.
@@ -45,7 +44,7 @@ std::vector<std::uint8_t> has_rays(std::span<const std::uint32_t> rays) {
   return result;
 }
 
-// Calls body(side, band, light): the mean irradiance of both answers.
+// Calls body(side, irradiance) for each band of each side, with the mean of both answers, W/m².
 template <typename Body>
 void for_light(const PatchSet& patches, const Answers& answers, Body body) {
   const auto bands = patches.band_count();
@@ -94,13 +93,14 @@ class Trial {
               [&](std::size_t s, double e) { light_[SideId::at(s).patch()] += weights_[s] * e * e; });
   }
 
-  // Rays of each part, [patch], in proportion to its contribution if it had no light at all: as many as are
-  // allowed in all, and at most so many per contribution (0: any number), which becomes the number found.
+  // Rays of each part, [patch], in proportion to its contribution if it had no light at all. All together
+  // they are within `allowed`. per_contribution: rays per contribution, at most (0: no limit); receives the
+  // number used.
   std::vector<std::uint32_t> rays_for(std::span<const std::uint8_t> is_candidate, double allowed,
                                       double& per_contribution) const {
     const auto is_within = [&](double per) { return cost(is_candidate, per) <= allowed; };
     const auto largest = *std::max_element(light_.begin(), light_.end());
-    auto high = largest > 0.0 ? max_rays * static_cast<double>(light_.size()) / largest : 0.0;
+    auto high = largest > 0.0 ? max_of_part * static_cast<double>(light_.size()) / largest : 0.0;
     if (per_contribution > 0.0) high = std::min(high, per_contribution);
     if (!is_within(high)) {
       double low = 0.0;
@@ -150,7 +150,8 @@ class Trial {
  private:
   std::uint32_t rays_of(std::size_t patch, double per_contribution) const {
     const auto wanted = per_contribution * light_[patch];
-    return wanted < min_rays ? 0u : std::bit_floor(static_cast<std::uint32_t>(std::min(wanted, max_rays)));
+    return wanted < min_of_part ? 0u
+                                : std::bit_floor(static_cast<std::uint32_t>(std::min(wanted, max_of_part)));
   }
 
   double cost(std::span<const std::uint8_t> is_candidate, double per_contribution) const {

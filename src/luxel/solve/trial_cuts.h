@@ -30,10 +30,10 @@ class TrialCuts {
   // the light there. Empty: by that of the power.
   TrialCuts(std::size_t patches, std::vector<double> density);
 
-  // Tries patches that no trial has seen, with at most so many rays the first time, and fewer than four times
-  // as many the second. how: options of the rays; equal seeds give equal rays. Returns the number of rays;
-  // nothing if the monitor stops the work. Cost beside the rays: twice that of refine_patches(), of a tracer
-  // and of two patch trees. The same bits on any number of threads and processes.
+  // Tries patches that were not tried before. max_rays: of the first time; the second takes at most four
+  // times as many. how: options of the rays; equal seeds give equal rays. Returns the number of rays; nothing
+  // if the monitor stops the work. Cost beside the rays: twice that of refine_patches(), of a tracer and of
+  // two patch trees. The same bits on any number of threads and processes.
   std::optional<std::uint64_t> try_out(const PatchSet& patches, const Answers& answers, double max_rays,
                                        const SampledOptions& how, const Context& context);
 
@@ -47,7 +47,7 @@ class TrialCuts {
   std::vector<double> density_;
   std::vector<std::uint8_t> is_candidate_;  // [patch]: was not tried
   std::vector<double> squared_;
-  double rays_per_contribution_ = 0.0;  // of a part, at most; 0: any number
+  double rays_per_contribution_ = 0.0;  // of a part, at most; 0: no limit
 };
 
 }  // namespace luxel
