@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -62,6 +63,10 @@ struct SolveHooks {
   std::function<void(std::shared_ptr<const SampleState>)> keep = {};
   /// Called with every intermediate picture of the light; the monitor is called next, with the same progress.
   LightSink on_light = {};
+  /// Receives, with every answer, the light of each half of the replicates: two estimates that are
+  /// independent but for the light that one half's noise reflects to the other, whose mean is the solution.
+  /// Their errors are those of the halves, without bias. Null: none.
+  std::array<Solution, 2>* halves = nullptr;
 };
 
 /// The production solver: direct light D from Owen-scrambled points on patch and lamp; transport F as a

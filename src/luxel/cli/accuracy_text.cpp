@@ -45,9 +45,9 @@ std::string accuracy_text(const RunReport& report) {
                   ? error_of_sampled(*report.solve, *report.error_target, report.error_measure)
                   : error_of_classical(*report.solve);
   if (report.ended_by_ray_budget) text += "; ended by the rays of this --quality (--ray-budget none goes on)";
-  if (report.refine)
-    text += fmt::format("; from the size of patches {}, {} requested", error_text(report.refine->mesh_error),
-                        percent_of(report.mesh_error_target));
+  if (report.refine && report.baked)
+    text += fmt::format("; from the size of patches {}, {} requested",
+                        error_text(report.baked->solution.mesh_error), percent_of(report.mesh_error_target));
   return text;
 }
 

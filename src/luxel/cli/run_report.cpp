@@ -94,14 +94,15 @@ Json surfaces_as_json(const SurfaceMeans& means) {
   return surfaces;
 }
 
-Json to_json(const RefineReport& report, double target) {
+// reached: as the light states it.
+Json to_json(const RefineReport& report, double target, double reached) {
   Json levels = Json::array();
   for (const auto& level : report.levels)
     levels.push_back({{"patches", level.patches},
                       {"mesh_error", level.mesh_error},
                       {"sampling_error", level.sampling_error},
                       {"rays", level.rays}});
-  return {{"mesh_error", {{"target", target}, {"reached", report.mesh_error}}},
+  return {{"mesh_error", {{"target", target}, {"reached", reached}}},
           {"stop_reason", text_of(report.stop).name},
           {"levels", std::move(levels)}};
 }
@@ -255,7 +256,9 @@ Json to_json(const RunRecord& record) {
 std::string RunReport::as_json() const {
   Json json = {{"command", command}};
   if (baked) json["solution"] = to_json(*baked);
-  if (refine) json["refine"] = to_json(*refine, mesh_error_target);
+  if (refine)
+    json["refine"] =
+        to_json(*refine, mesh_error_target, baked ? baked->solution.mesh_error : refine->mesh_error);
   if (solve) json["solve"] = to_json(*solve, error_target);
   if (picture) json["picture"] = to_json(*picture, error_target);
   if (pages) json["pages"] = to_json(*pages);

@@ -2,6 +2,7 @@
 #include "luxel/runs/light_stage.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include "luxel/runs/quantity.h"
 #include "luxel/scene/band_colours.h"
 #include "luxel/session/words.h"
+#include "luxel/solve/mesh_estimate.h"
 #include "luxel/solve/relight.h"
 
 namespace luxel {
@@ -77,9 +79,16 @@ SolveReport LightStage::solve(Baked& baked, const std::vector<std::uint32_t>& fa
     has_light_ = true;
     if (on_light) on_light(light);
   };
+  std::array<Solution, 2> halves;
+  if (baked.solution.mesh_error > 0.0) hooks.halves = &halves;
   return record_.stage("light", [&](auto& stage) {
     auto result = is_refined_light_ ? report_of_stopped(baked.solution) : solve_method(baked, faces, hooks);
     stage.rays = result.rays;
+    // The light that decided about the mesh was noisier, and mesh errors that chance made small ended it.
+    if (!halves[0].irradiance.front.empty())
+      baked.solution.mesh_error =
+          mesh_error_of(baked.patches, *tracer_, std::move(halves), settings_.light.sampled.error_measure,
+                        settings_.look.smooth, context_);
     return result;
   });
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/level_difference.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 
@@ -55,6 +57,22 @@ double field_at(const Answer& answer, std::size_t patch, const Vec3d& weights, b
 }
 
 }  // namespace
+
+Solution mean_of(const Answers& answers) {
+  auto mean = answers[0].solution;
+  const auto combine = [&](FrontAndBack<float> Solution::*values, const auto& of_both) {
+    for (const bool back : {false, true}) {
+      auto& to = (mean.*values).of(back);
+      const auto& from = (answers[1].solution.*values).of(back);
+      std::transform(to.begin(), to.end(), from.begin(), to.begin(), of_both);
+    }
+  };
+  const auto half_sum = [](float a, float b) { return 0.5f * (a + b); };
+  combine(&Solution::irradiance, half_sum);
+  combine(&Solution::radiosity, half_sum);
+  combine(&Solution::standard_error, [](float a, float b) { return 0.5f * std::hypot(a, b); });
+  return mean;
+}
 
 Contributions weighed(const FieldDifference& difference, std::span<const double> weights, std::size_t bands) {
   const auto patches = weights.size() / 2;

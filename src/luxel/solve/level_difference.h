@@ -21,6 +21,9 @@ struct Answer {
 // Two independent estimates: the squares of either contain its noise, their products do not.
 using Answers = std::array<Answer, 2>;
 
+// The mean of both, with its standard errors.
+Solution mean_of(const Answers& answers);
+
 // Squared differences of irradiance per side and band, in the mean over the patch: [patch][band], (W/m²)².
 struct FieldDifference {
   FrontAndBack<double> squared;  // the product of both answers' differences: unbiased, so below 0 in places

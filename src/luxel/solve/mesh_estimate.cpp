@@ -19,10 +19,25 @@ namespace {
 // small.
 constexpr double carried = 0.1;
 
+// Fraction of its squared error that the residual of a patch shows, where nothing is known of its last cut.
+// Measured against the exact light at the edges of a shadow: 0.17 to 0.32, on 18 meshes with errors of 0.7 to
+// 5 %.
+constexpr double shown_by_residual = 0.27;
+
 void copy_row(const std::vector<double>& from, std::size_t patch, std::vector<double>& to, std::size_t part,
               std::size_t bands) {
   std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(patch * bands), bands,
               to.begin() + static_cast<std::ptrdiff_t>(part * bands));
+}
+
+// The root of a sum of squares, with its standard error, of which `fraction` is known. The standard deviation
+// of a product of two differences of noise σ is σ²; its noise is σ²/2 times a chi-squared variable of one
+// degree of freedom, its mean square 3/4 σ⁴.
+double sqrt_of_sum(const Contributions& contributions, double fraction) {
+  const auto& [squared, noise] = contributions;
+  const auto sum = std::accumulate(squared.begin(), squared.end(), 0.0);
+  const auto squares = std::inner_product(noise.begin(), noise.end(), noise.begin(), 0.0);
+  return std::sqrt((std::max(0.0, sum) + std::sqrt(4.0 / 3.0 * squares)) / fraction);
 }
 
 SideValues mean_irradiance(const Answers& answers) {
@@ -79,14 +94,24 @@ void MeshEstimate::predict_cut(std::span<const std::uint32_t> parent) {
     if (parts_of[p] > 1) squared[p] *= left_by_halving;
 }
 
-// The standard deviation of a product of two differences of noise σ is σ²; its noise is σ²/2 times a
-// chi-squared variable of one degree of freedom, its mean square 3/4 σ⁴. What halving changes is what it does
-// not leave.
-double MeshEstimate::error() const {
-  const auto& [squared, noise] = expected_;
-  const auto sum = std::accumulate(squared.begin(), squared.end(), 0.0);
-  const auto squares = std::inner_product(noise.begin(), noise.end(), noise.begin(), 0.0);
-  return std::sqrt((std::max(0.0, sum) + std::sqrt(4.0 / 3.0 * squares)) / (1.0 - left_by_halving));
+// What halving changes is what it does not leave.
+double MeshEstimate::error() const { return sqrt_of_sum(expected_, 1.0 - left_by_halving); }
+
+double mesh_error_of(const PatchSet& patches, const Tracer& tracer, std::array<Solution, 2> halves,
+                     ErrorMeasure measure, SmoothOptions smooth, const Context& context) {
+  smooth.lights_hidden = false;  // that light is for the eye, and no answer of the solver
+  Answers answers;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    answers[i].solution = std::move(halves[i]);
+    answers[i].smooth = make_smooth_light(patches, answers[i].solution, smooth, context);
+  }
+  const auto residual = residual_within_patches(patches, answers, context);
+  if (measure == ErrorMeasure::seen) {
+    const auto seen = seen_sides(patches, tracer, mean_irradiance(answers), residual.squared, context);
+    if (!seen.importance.empty()) return seen.error / std::sqrt(shown_by_residual);
+  }
+  return sqrt_of_sum(weighed(residual, weights_in_power(patches, answers), patches.band_count()),
+                     shown_by_residual);
 }
 
 }  // namespace luxel

@@ -18,26 +18,27 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint32_t replicates = 4;  // the fewest with which direct light has no bias to speak of
+constexpr std::uint32_t replicates =
+    4;  // of a light: the fewest with which direct light has no bias to speak of
 constexpr std::uint32_t min_rays = 16, max_rays = 128;  // of a side
 constexpr std::size_t grain = 4096;                     // receivers per chunk
 
-// The rays of one call: samples of direct light, and first hits.
+// The rays of one call: samples of direct light, and first hits. Each light has its own replicates.
 class PartRays {
  public:
-  PartRays(const Cut& cut, const SampledOptions& options, const Context& context)
+  PartRays(const Cut& cut, std::uint32_t lights, const SampledOptions& options, const Context& context)
       : patches_(cut.parts),
         context_(context),
         lamps_(patches_),
-        direct_light_(patches_, cut.tracer, lamps_, of_four(options)),
+        direct_light_(patches_, cut.tracer, lamps_, direct_of(lights * replicates, options)),
         hits_(patches_, all_gather_sides(patches_, make_patch_tree(patches_, context)), cut.tracer,
               {.seed = options.seed,
-               .replicates = replicates,
+               .replicates = lights * replicates,
                .low_discrepancy = options.low_discrepancy,
                .stratified = options.stratified},
               SharedWork(context)),
-        direct_(direct_light_, hits_.sides(), replicates, patches_.group_count() * patches_.band_count(),
-                hits_.partition()) {}
+        direct_(direct_light_, hits_.sides(), lights * replicates,
+                patches_.group_count() * patches_.band_count(), hits_.partition()) {}
 
   // Returns false if the monitor stops the work.
   bool take(std::span<const std::uint32_t> rays) {
@@ -65,15 +66,15 @@ class PartRays {
   const GatherSides& sides() const { return hits_.sides(); }
   std::span<const std::uint32_t> sampled() const { return sampled_; }  // receivers, rising
 
-  std::vector<float> direct() const {
-    return mean_of(
-        sum_of_groups(direct_.irradiance(), patches_.group_count(), patches_.band_count(), {}, context_),
-        context_);
+  // [receiver * bands + band], W/m².
+  std::vector<float> direct(std::uint32_t light) const {
+    const auto own = std::span(direct_.irradiance()).subspan(light * replicates, replicates);
+    return mean_of(sum_of_groups(own, patches_.group_count(), patches_.band_count(), {}, context_), context_);
   }
 
-  // Returns the irradiance that the rays find if the receivers send on `sent`; both [receiver * bands +
-  // band], W/m².
-  std::vector<float> gathered(std::span<const float> sent) const {
+  // Returns the irradiance that the rays of a light find if the receivers send on `sent`; both [receiver *
+  // bands + band], W/m².
+  std::vector<float> gathered(std::uint32_t light, std::span<const float> sent) const {
     const auto bands = patches_.band_count();
     const auto receivers = sides().size();
     // After the receivers' own two rows each come the sinks.
@@ -83,7 +84,7 @@ class PartRays {
     std::vector<float> mean(receivers * bands, 0.0f);
     context_.for_chunks(hits_.blocks(), 1, [&](std::size_t begin, std::size_t end, int) {
       for (auto block = begin; block < end; ++block)
-        for (std::uint32_t r = 0; r < replicates; ++r)
+        for (auto r = light * replicates; r < (light + 1) * replicates; ++r)
           hits_.for_each_hit(r, block, [&](std::uint32_t receiver, std::size_t hit) {
             const auto part = 1.0f / static_cast<float>(replicates * hits_.rays_per_receiver()[receiver]);
             for (std::size_t b = 0; b < bands; ++b)
@@ -95,9 +96,9 @@ class PartRays {
   }
 
  private:
-  static DirectOptions of_four(const SampledOptions& options) {
+  static DirectOptions direct_of(std::uint32_t all_replicates, const SampledOptions& options) {
     auto direct = direct_options(options);
-    direct.replicates = replicates;
+    direct.replicates = all_replicates;
     return direct;
   }
 
@@ -149,15 +150,13 @@ std::vector<std::uint32_t> rays_of_parts(const Cut& cut, const Solution& light,
   return rays;
 }
 
-std::optional<std::uint64_t> gather_on_parts(const Cut& cut, std::span<const std::uint32_t> rays,
-                                             const SampledOptions& options, Solution& light,
-                                             const Context& context) {
-  const auto bands = cut.parts.band_count();
-  PartRays part_rays(cut, options, context);
-  if (!part_rays.take(rays)) return std::nullopt;
-  const auto& sides = part_rays.sides();
-  const auto scattering = scattering_of(cut.parts, sides, context);
-  const auto sends = scattering.view();
+namespace {
+
+// Replaces the light on sampled sides by that of its own rays.
+void gather(const PatchSet& patches, const PartRays& rays, std::uint32_t number, const Scattering& sends,
+            Solution& light, const Context& context) {
+  const auto bands = patches.band_count();
+  const auto& sides = rays.sides();
   const auto irradiance = [&](std::size_t i) {
     const auto side = sides.side[i / bands];
     return light.irradiance.of(side)[side.patch() * bands + i % bands];
@@ -166,21 +165,33 @@ std::optional<std::uint64_t> gather_on_parts(const Cut& cut, std::span<const std
   context.for_chunks(sent.size(), grain, [&](std::size_t begin, std::size_t end, int) {
     for (auto i = begin; i < end; ++i) sent[i] = sends.sent_on(irradiance, i, bands);
   });
-  const auto direct = part_rays.direct();
-  const auto gathered = part_rays.gathered(sent);
-  for (const auto receiver : part_rays.sampled()) {
+  const auto direct = rays.direct(number);
+  const auto gathered = rays.gathered(number, sent);
+  for (const auto receiver : rays.sampled()) {
     const auto side = sides.side[receiver];
     for (std::size_t b = 0; b < bands; ++b)
       light.irradiance.of(side)[side.patch() * bands + b] =
           direct[receiver * bands + b] + gathered[receiver * bands + b];
   }
-  for (const auto receiver : part_rays.sampled()) {
+  for (const auto receiver : rays.sampled()) {
     const auto side = sides.side[receiver];
     for (std::size_t b = 0; b < bands; ++b)
       light.radiosity.of(side)[side.patch() * bands + b] =
-          (side.is_back() ? 0.0f : static_cast<float>(cut.parts.emittance(side.patch(), b))) +
+          (side.is_back() ? 0.0f : static_cast<float>(patches.emittance(side.patch(), b))) +
           sends.sent_on(irradiance, receiver * bands + b, bands);
   }
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> gather_on_parts(const Cut& cut, std::span<const std::uint32_t> rays,
+                                             const SampledOptions& options, std::span<Solution* const> lights,
+                                             const Context& context) {
+  PartRays part_rays(cut, static_cast<std::uint32_t>(lights.size()), options, context);
+  if (!part_rays.take(rays)) return std::nullopt;
+  const auto scattering = scattering_of(cut.parts, part_rays.sides(), context);
+  for (std::uint32_t i = 0; i < lights.size(); ++i)
+    gather(cut.parts, part_rays, i, scattering.view(), *lights[i], context);
   return part_rays.traced();
 }
 

@@ -31,13 +31,14 @@ Solution inherited_light(const Solution& wholes, const Cut& cut);
 std::vector<std::uint32_t> rays_of_parts(const Cut& cut, const Solution& light,
                                          std::span<const double> weight, double allowed);
 
-// Replaces the light of sides that have rays by what these find: direct light, by as many shadow rays, and
-// the light that the surfaces they meet send on according to `light` as it was. One bounce of a known light,
-// so the cost is that of these rays alone. Standard errors stay those of the wholes. rays: [side], 0 or
-// powers of two, at least 4. Returns the number of rays; nothing, and `light` stays, if the monitor stops the
-// work. Processes divide the rays; the same bits on any number of threads and processes.
+// Replaces each of the lights, on sides that have rays, by what rays of its own find: direct light, by as
+// many shadow rays, and the light that the surfaces they meet send on according to that light as it was. One
+// bounce of a known light, so the cost is that of these rays alone. Standard errors stay those of the wholes.
+// rays: [side], of each light, 0 or powers of two, at least 4. Returns the number of rays of all; nothing,
+// and the lights stay, if the monitor stops the work. Processes divide the rays; the same bits on any number
+// of threads and processes.
 std::optional<std::uint64_t> gather_on_parts(const Cut& cut, std::span<const std::uint32_t> rays,
-                                             const SampledOptions& options, Solution& light,
+                                             const SampledOptions& options, std::span<Solution* const> lights,
                                              const Context& context);
 
 }  // namespace luxel

@@ -2,6 +2,7 @@
 #include "luxel/solve/refine_to_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -23,9 +24,9 @@
 namespace luxel {
 namespace {
 
-constexpr double light_fraction =
-    2.0;  // of the mesh error target: error to which each of the two solutions is solved
-// Largest error to which a solution is ever solved, seen and of the power: the same light in most rooms.
+// Error to which light is solved over the mesh error target; and the largest error of it, seen and of the
+// power: the same light in most rooms.
+constexpr double light_fraction = 2.0;
 constexpr double poorest_seen = 0.1, poorest_power = 0.03;
 constexpr double aim = 0.8;  // of the allowed squared error: the target of the next mesh
 // By how much errors are too small whose estimates have decided about cuts: where noise made them small they
@@ -39,12 +40,12 @@ constexpr double usual_step = 0.05, step_of_large_meshes = 0.003;  // fractions 
 constexpr std::size_t large_step = 500;                            // at which the one gives way to the other
 // Trial cuts: rays of the first trial over those of the first light; of a later trial over those of the first
 // trial; and the squared error found over the squared target from which on another trial follows.
-constexpr double trial_part = 1.0 / 3.0, later_trials = 0.25, min_found = 0.02;
+constexpr double trial_part = 2.0 / 3.0, later_trials = 0.25, min_found = 0.02;
 constexpr int max_trials = 5;
 constexpr double min_gain = 0.1;  // of the squared error in patches that are cut, for another level
 // patches over those before, for another level, where the cost has a bound
 constexpr double min_level = 1.01;
-// of each of the first two solutions, where the cost has a bound: some scenes do not come near their error
+// of a solve, where the cost has a bound: some scenes do not come near their error
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
 constexpr double first_light = 0.7;     // fraction of the time that progress expects of the first mesh
@@ -65,6 +66,7 @@ void check(const RefineOptions& options) {
 struct Level {
   PatchSet patches;
   Answers answers;
+  double sampling_error = 0.0;  // of the light that was solved, of both answers together
   std::uint64_t rays = 0;
 };
 
@@ -83,7 +85,7 @@ class Refinement {
     if (!cut_on_trial()) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
       if (is_met()) {
-        if (cuts_ == 0 || !can_look_again()) return end(RefineStop::mesh_error_reached);
+        if (cuts_ == 0 || options_.max_cost > 0.0) return end(RefineStop::mesh_error_reached);
         if (!look_again()) return end(RefineStop::stopped_by_user);
         continue;
       }
@@ -106,7 +108,7 @@ class Refinement {
   PatchSet end(RefineStop stop) {
     report_.stop = stop;
     report_.mesh_error = report_.levels.empty() ? 0.0 : report_.levels.back().mesh_error;
-    if (stop == RefineStop::stopped_by_user) report_.light = std::move(now_.answers[0].solution);
+    if (stop == RefineStop::stopped_by_user) report_.light = mean_of(now_.answers);
     return std::move(now_.patches);
   }
 
@@ -115,7 +117,7 @@ class Refinement {
     estimate_.predict_cut(refined.parent);
     const auto sampling_error = report_.levels.back().sampling_error;
     report_.levels.push_back({refined.patches.size(), mesh_error(), sampling_error, 0});
-    now_ = {std::move(refined.patches), {}, 0};
+    now_ = {std::move(refined.patches), {}, 0.0, 0};
     return end(RefineStop::cost_limit);
   }
 
@@ -123,11 +125,8 @@ class Refinement {
     return static_cast<double>(std::clamp<std::size_t>(cuts_, 1, selected)) * estimate_.error();
   }
 
-  // Estimates that can still be confirmed are believed until then.
-  bool is_met() const {
-    return (can_look_again() ? estimate_.error() : report_.levels.back().mesh_error) <= options_.mesh_error;
-  }
-  bool can_look_again() const { return is_within_cost(report_.levels.front().rays); }
+  // Estimates are believed until new light confirms them.
+  bool is_met() const { return estimate_.error() <= options_.mesh_error; }
 
   // Returns whether the marked patches, which differ by more than noise, have enough of the error.
   bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
@@ -143,9 +142,8 @@ class Refinement {
   void bound_cost() {
     if (options_.max_cost == 0.0) return;
     const auto& first = report_.levels.front();
-    const auto of_one = std::sqrt(2.0) * first.sampling_error;  // it is the error of the mean of two
-    auto later =
-        0.5 * static_cast<double>(first.rays) * std::pow(of_one / options_.light.error, 2.0 / rays_exponent);
+    auto later = static_cast<double>(first.rays) *
+                 std::pow(first.sampling_error / options_.light.error, 2.0 / rays_exponent);
     const auto budget = static_cast<double>(options_.light.ray_budget);
     if (budget > 0.0) later = std::min(later, budget);
     allowed_rays_ = std::max(options_.max_cost * later, static_cast<double>(options_.free_rays));
@@ -163,13 +161,13 @@ class Refinement {
                     std::min(poorest, std::max(known, light_fraction * options_.mesh_error)));
   }
 
-  // The monitor of the solve of an answer, 0 or 1, that may take a budget of rays; 0: without a bound.
-  Next tell_solve(const Progress& p, std::uint32_t answer, std::uint64_t budget) {
+  // The monitor of a solve that may take a budget of rays; 0: without a bound.
+  Next tell_solve(const Progress& p, std::uint64_t budget) {
     if (!report_.levels.empty()) return tell(p.rays);
     expect_later_rays(static_cast<double>(p.rays), p.error);
     const auto by_rays = budget > 0 ? static_cast<double>(p.rays) / static_cast<double>(budget) : 0.0;
     const auto done = std::clamp(std::max(p.done, by_rays), 0.0, 1.0);
-    return report({"refine", 0.5 * first_light * (answer + done), rays_before_ + p.rays});
+    return report({"refine", first_light * done, rays_before_ + p.rays});
   }
 
   // Estimates the rays of the solve that follows from the error of a solve with `rays` rays.
@@ -200,26 +198,33 @@ class Refinement {
   // Between the steps of a level that trace no rays.
   bool is_stopped() const { return !report_.levels.empty() && tell(0) == Next::stop; }
 
-  // answer: 0, 1, or 2 for trial cuts.
-  std::uint64_t seed_of(std::uint32_t answer) const {
+  // Streams of the present level: 0 of its light, 1 of trial cuts.
+  std::uint64_t seed_of(std::uint32_t stream) const {
     return stream_key(options_.light.seed, RandomPurpose::refinement,
-                      3 * static_cast<std::uint32_t>(report_.levels.size()) + answer);
+                      2 * static_cast<std::uint32_t>(report_.levels.size()) + stream);
   }
 
+  // The answers are the light of the two halves of one solve.
   bool solve(Level& level, const Tracer& tracer) {
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      auto how = options_.light;
-      how.error = light_error();
-      if (options_.max_cost > 0.0)
-        how.ray_budget = std::max(options_.free_rays / 4, rays_per_side * side_count(level.patches.size()));
-      how.seed = seed_of(i);
-      const auto on_the_way = [&](const Progress& p) { return tell_solve(p, i, how.ray_budget); };
+    auto how = options_.light;
+    how.error = light_error();
+    if (options_.max_cost > 0.0)
+      how.ray_budget = std::max(options_.free_rays / 4, rays_per_side * side_count(level.patches.size()));
+    how.seed = seed_of(0);
+    const auto on_the_way = [&](const Progress& p) { return tell_solve(p, how.ray_budget); };
+    Solution whole;
+    std::array<Solution, 2> halves;
+    const auto solved = solve_sampled(level.patches, tracer, whole, how, {.halves = &halves},
+                                      context_.with_monitor(on_the_way));
+    level.rays += solved.rays;
+    rays_before_ += solved.rays;
+    if (solved.stop == StopReason::stopped_by_user) return false;
+    level.sampling_error = how.error_measure == ErrorMeasure::seen && solved.seen_error > 0.0
+                               ? solved.seen_error
+                               : solved.predicted_error;
+    for (std::size_t i = 0; i < halves.size(); ++i) {
       auto& [solution, smooth] = level.answers[i];
-      const auto solved =
-          solve_sampled(level.patches, tracer, solution, how, {}, context_.with_monitor(on_the_way));
-      level.rays += solved.rays;
-      rays_before_ += solved.rays;
-      if (solved.stop == StopReason::stopped_by_user) return false;
+      solution = std::move(halves[i]);
       smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
     }
     return true;
@@ -229,19 +234,21 @@ class Refinement {
   // from a scene whose light is known.
   bool gather(Level& level, const Tracer& tracer, std::span<const std::uint32_t> parent) {
     const Cut cut{level.patches, tracer, parent};
+    level.sampling_error = now_.sampling_error;
     const auto error = std::max(options_.mesh_error, estimate_.error());
     const auto on_the_way = [this](const Progress& p) { return tell(p.rays); };
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      auto how = options_.light;
-      how.seed = seed_of(i);
-      auto& [solution, smooth] = level.answers[i];
-      solution = inherited_light(now_.answers[i].solution, cut);
-      const auto rays = rays_of_parts(cut, solution, estimate_.weights(),
-                                      error * error / static_cast<double>(side_count(level.patches.size())));
-      const auto traced = gather_on_parts(cut, rays, how, solution, context_.with_monitor(on_the_way));
-      if (!traced) return false;
-      level.rays += *traced;
-      rays_before_ += *traced;
+    const auto rays = rays_of_parts(cut, inherited_light(mean_of(now_.answers), cut), estimate_.weights(),
+                                    error * error / static_cast<double>(side_count(level.patches.size())));
+    for (std::size_t i = 0; i < level.answers.size(); ++i)
+      level.answers[i].solution = inherited_light(now_.answers[i].solution, cut);
+    auto how = options_.light;
+    how.seed = seed_of(0);
+    const std::array lights = {&level.answers[0].solution, &level.answers[1].solution};
+    const auto traced = gather_on_parts(cut, rays, how, lights, context_.with_monitor(on_the_way));
+    if (!traced) return false;
+    level.rays += *traced;
+    rays_before_ += *traced;
+    for (auto& [solution, smooth] : level.answers) {
       smooth = make_smooth_light(level.patches, solution, options_.smooth, context_);
       if (is_stopped()) return false;
     }
@@ -283,7 +290,7 @@ class Refinement {
     auto max_rays = trial_part * static_cast<double>(report_.levels.front().rays);
     for (int i = 1; i <= max_trials; ++i) {
       auto how = options_.light;
-      how.seed = seed_of(2);
+      how.seed = seed_of(1);
       const auto rays = trial.try_out(now_.patches, now_.answers, max_rays, how, context);
       if (!rays) return false;
       rays_before_ += *rays;
@@ -322,14 +329,7 @@ class Refinement {
   }
 
   void note_level() {
-    double squared_noise = 0.0;  // of the mean of both solutions
-    for (const auto& [solution, smooth] : now_.answers) {
-      const auto error = options_.light.error_measure == ErrorMeasure::seen && solution.seen_error > 0.0
-                             ? solution.seen_error
-                             : solution.predicted_error;
-      squared_noise += 0.25 * error * error;
-    }
-    report_.levels.push_back({now_.patches.size(), mesh_error(), std::sqrt(squared_noise), now_.rays});
+    report_.levels.push_back({now_.patches.size(), mesh_error(), now_.sampling_error, now_.rays});
   }
 
   // The fewest patches that reduce the error to about the target. Where that would require cutting patches
@@ -345,9 +345,7 @@ class Refinement {
       left += squared[p];
     }
     sort_by_weight(squared, order);
-    const auto target =
-        options_.mesh_error / static_cast<double>(can_look_again() ? 1 : std::min(selected, cuts_ + 1));
-    const auto aimed = aim * target * target * (1.0 - left_by_halving);
+    const auto aimed = aim * options_.mesh_error * options_.mesh_error * (1.0 - left_by_halving);
     const auto least = is_last ? left : max_unrefined_fraction * left;
     const auto size = static_cast<double>(now_.patches.size());
     const auto few = static_cast<std::size_t>(

@@ -226,9 +226,20 @@ class Run {
     report_.error_uncertainty = uncertainty();
     light_->write(answer_, solution_, context_);
     sign();
+    if (hooks_.halves) write_halves(direct, gathered);
     progress_.aim_at(target());
     progress_.end_answer(error_, safe_error(), cost_of_samples(*sampling_, options_.replicates), rays());
     return true;
+  }
+
+  void write_halves(Replicates direct, Replicates gathered) {
+    for (std::size_t half = 0; half < 2; ++half) {
+      const auto first = transport_->half_begin(half);
+      const auto count = transport_->half_begin(half + 1) - first;
+      light_->write(
+          light_->answer_of_part(direct.subspan(first, count), gathered.subspan(first, count), context_),
+          (*hooks_.halves)[half], context_);
+    }
   }
 
   // ---- Accuracy, and the next samples ----

@@ -55,6 +55,15 @@ SampledLight::Answer SampledLight::answer(std::span<std::vector<float>> direct,
   return {std::move(spread), std::move(bias)};
 }
 
+SampledLight::Answer SampledLight::answer_of_part(Replicates direct, Replicates gathered,
+                                                  const Context& context) const {
+  const auto bands = patches_.band_count();
+  const std::vector<float> no_bias(area_.size() * bands, 0.0f);
+  auto spread = spread_of_sum(direct, gathered, {no_bias, bands, area_}, context);
+  preserve_hue(spread.mean, bands, area_, units_);
+  return {std::move(spread), {}};
+}
+
 void SampledLight::write(const Answer& answer, Solution& solution, const Context& context) const {
   const auto bands = patches_.band_count();
   const auto numbers = patches_.size() * bands;

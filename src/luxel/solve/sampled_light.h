@@ -49,6 +49,9 @@ class SampledLight {
                 std::span<const float> not_found, const Enough& enough, const Context& context,
                 const Observer& observe = {}) const;
 
+  // The same of some of the replicates that answer() left; of their error only what their spread shows.
+  Answer answer_of_part(Replicates direct, Replicates gathered, const Context& context) const;
+
   // Fills the light of the solution and all its errors.
   void write(const Answer& answer, Solution& solution, const Context& context) const;
 

@@ -2,6 +2,7 @@
 #include "luxel/solve/trial_cuts.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -126,18 +127,17 @@ class Trial {
     const Cut cut{refined.patches, tracer, refined.parent};
     const auto rays = rays_of_sides(cut, rays_of_parts);
     Answers of_parts;
-    for (std::uint32_t i = 0; i < of_parts.size(); ++i) {
-      auto how = how_;
-      how.seed = stream_key(how_.seed, RandomPurpose::refinement, 2 * stream + i);
-      auto& light = of_parts[i].solution;
-      light = inherited_light(answers_[i].solution, cut);
-      const auto on_the_way = [&](const Progress& p) {
-        return context_.report({p.stage, p.done, rays_ + p.rays});
-      };
-      const auto traced = gather_on_parts(cut, rays, how, light, context_.with_monitor(on_the_way));
-      if (!traced) return std::nullopt;
-      rays_ += *traced;
-    }
+    for (std::size_t i = 0; i < of_parts.size(); ++i)
+      of_parts[i].solution = inherited_light(answers_[i].solution, cut);
+    const std::array lights = {&of_parts[0].solution, &of_parts[1].solution};
+    auto how = how_;
+    how.seed = stream_key(how_.seed, RandomPurpose::refinement, stream);
+    const auto on_the_way = [&](const Progress& p) {
+      return context_.report({p.stage, p.done, rays_ + p.rays});
+    };
+    const auto traced = gather_on_parts(cut, rays, how, lights, context_.with_monitor(on_the_way));
+    if (!traced) return std::nullopt;
+    rays_ += *traced;
     auto result = weighed(
         variation_within_wholes(patches_, answers_, refined.patches, of_parts, refined.parent, context_),
         weights_, patches_.band_count());

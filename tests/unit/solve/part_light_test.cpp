@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/solve/part_light.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -75,7 +76,7 @@ TEST_F(PartLight, parts_of_a_furnace_gather_what_their_wholes_have) {
   auto light = inherited_light(whole_, *cut_);
   const auto before = light;
   const auto rays = rays_of_parts(*cut_, light, weight_, 1e-9);
-  const auto traced = gather_on_parts(*cut_, rays, {.seed = 5}, light, one_);
+  const auto traced = gather_on_parts(*cut_, rays, {.seed = 5}, std::array{&light}, one_);
   ASSERT_TRUE(traced);
   const auto sent = std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
   EXPECT_GE(*traced, sent);
@@ -107,21 +108,25 @@ TEST_F(PartLight, a_monitor_that_stops_leaves_the_light_as_it_was) {
   auto light = inherited_light(whole_, *cut_);
   const auto rays = rays_of_parts(*cut_, light, weight_, 1e-9);
   const auto stop = one_.with_monitor([](const Progress&) { return Next::stop; });
-  EXPECT_FALSE(gather_on_parts(*cut_, rays, {}, light, stop));
+  EXPECT_FALSE(gather_on_parts(*cut_, rays, {}, std::array{&light}, stop));
   EXPECT_EQ(light.irradiance.front, inherited_light(whole_, *cut_).irradiance.front);
 }
 
 TEST_F(PartLight, ranks_have_the_bits_of_one) {
   auto alone = inherited_light(whole_, *cut_);
+  auto other = alone;
   const auto rays = rays_of_parts(*cut_, alone, weight_, 0.05);
-  const auto traced = gather_on_parts(*cut_, rays, {.seed = 5}, alone, one_);
+  const auto traced = gather_on_parts(*cut_, rays, {.seed = 5}, std::array{&alone, &other}, one_);
+  EXPECT_NE(alone.irradiance.front, other.irradiance.front) << "each has rays of its own";
   for (const std::size_t count : {2u, 3u})
     ThreadRanks::run(count, [&](const Ranks& ranks) {
       const Context context({.threads = 2, .ranks = &ranks});
       auto light = inherited_light(whole_, *cut_);
-      EXPECT_EQ(gather_on_parts(*cut_, rays, {.seed = 5}, light, context), traced);
+      auto second = light;
+      EXPECT_EQ(gather_on_parts(*cut_, rays, {.seed = 5}, std::array{&light, &second}, context), traced);
       EXPECT_EQ(light.irradiance.front, alone.irradiance.front);
       EXPECT_EQ(light.radiosity.front, alone.radiosity.front);
+      EXPECT_EQ(second.irradiance.front, other.irradiance.front);
     });
 }
 
