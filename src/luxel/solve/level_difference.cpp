@@ -71,6 +71,8 @@ Solution mean_of(const Answers& answers) {
   combine(&Solution::irradiance, half_sum);
   combine(&Solution::radiosity, half_sum);
   combine(&Solution::standard_error, [](float a, float b) { return 0.5f * std::hypot(a, b); });
+  for (const auto error : {&Solution::seen_error, &Solution::predicted_error})
+    mean.*error = 0.5 * std::hypot(answers[0].solution.*error, answers[1].solution.*error);
   return mean;
 }
 

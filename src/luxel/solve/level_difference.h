@@ -21,7 +21,7 @@ struct Answer {
 // Two independent estimates: the squares of either contain its noise, their products do not.
 using Answers = std::array<Answer, 2>;
 
-// The mean of both, with its standard errors.
+// The mean of both, with its errors.
 Solution mean_of(const Answers& answers);
 
 // Squared differences of irradiance per side and band, in the mean over the patch: [patch][band], (W/m²)².

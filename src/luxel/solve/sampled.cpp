@@ -236,9 +236,12 @@ class Run {
     for (std::size_t half = 0; half < 2; ++half) {
       const auto first = transport_->half_begin(half);
       const auto count = transport_->half_begin(half + 1) - first;
+      auto& solution = (*hooks_.halves)[half];
       light_->write(
           light_->answer_of_part(direct.subspan(first, count), gathered.subspan(first, count), context_),
-          (*hooks_.halves)[half], context_);
+          solution, context_);
+      solution.provenance = solution_.provenance;
+      solution.seen_error = std::sqrt(2.0) * solution_.seen_error;
     }
   }
 
