@@ -265,5 +265,27 @@ TEST(WeatherCommand, reports_oddities_and_refuses_other_files) {
   EXPECT_EQ(cli::run(folder, "$LUXEL weather none.epw").code, 1);
 }
 
+// A cube whose faces look outwards, whose backs absorb light.
+std::filesystem::path folder_with_cubes() {
+  const auto folder = fresh_folder("sky_cubes");
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+  std::ofstream(folder / "outside.obj")
+      << vertices << "f 4 3 2 1\nf 6 7 8 5\nf 2 6 5 1\nf 3 7 6 2\nf 4 8 7 3\nf 1 5 8 4\n";
+  std::ofstream(folder / "inside.obj")
+      << vertices << "f 1 2 3 4\nf 5 8 7 6\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+  return folder;
+}
+
+TEST(SkyBake, light_that_is_even_or_nowhere_has_no_error_from_patches) {
+  const auto folder = folder_with_cubes();
+  const auto even = cli::run(folder, "$LUXEL bake outside.obj --sky 1 --one-sided '*' -o even.glb");
+  EXPECT_EQ(even.code, 0) << even.err;
+  EXPECT_NE(even.err.find("from the size of patches 0 %, 2 % requested"), std::string::npos) << even.err;
+  const auto dark = cli::run(folder, "$LUXEL bake inside.obj --sky 1 --one-sided '*' -o dark.glb");
+  EXPECT_EQ(dark.code, 0) << dark.err;
+  EXPECT_NE(dark.err.find("no light reaches a surface; from the size of patches 0 %"), std::string::npos)
+      << dark.err;
+}
+
 }  // namespace
 }  // namespace luxel::cli

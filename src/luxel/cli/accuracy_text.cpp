@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "luxel/runs/quantity.h"
+#include "luxel/runs/refine_text.h"
 
 namespace luxel {
 namespace {
@@ -47,7 +48,8 @@ std::string accuracy_text(const RunReport& report) {
   if (report.ended_by_ray_budget) text += "; ended by the rays of this --quality (--ray-budget none goes on)";
   if (report.refine && report.baked)
     text += fmt::format("; from the size of patches {}, {} requested",
-                        error_text(report.baked->solution.mesh_error), percent_of(report.mesh_error_target));
+                        mesh_error_text(*report.refine, report.baked->solution.mesh_error),
+                        percent_of(report.mesh_error_target));
   return text;
 }
 

@@ -30,6 +30,10 @@ RefineStopText text_of(RefineStop stop) {
   return {};
 }
 
+std::string mesh_error_text(const RefineReport& report, double mesh_error) {
+  return mesh_error == 0.0 && !report.levels.empty() ? percent_of(0.0) : error_text(mesh_error);
+}
+
 std::string describe(const RefineReport& report, bool is_late) {
   std::uint64_t rays = 0;
   std::vector<std::size_t> patches;
@@ -39,7 +43,7 @@ std::string describe(const RefineReport& report, bool is_late) {
   }
   const auto why = is_late ? description(StopReason::time_limit) : text_of(report.stop).description;
   return fmt::format("refined where the light needs it: {} patches; {} rays; {}: mesh error {}",
-                     fmt::join(patches, " > "), rays, why, error_text(report.mesh_error));
+                     fmt::join(patches, " > "), rays, why, mesh_error_text(report, report.mesh_error));
 }
 
 }  // namespace luxel

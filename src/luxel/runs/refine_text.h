@@ -14,6 +14,9 @@ struct RefineStopText {
 };
 RefineStopText text_of(RefineStop stop);
 
+// The mesh error after a refinement: "1.9 %", or "not yet known". 0: a mesh that leaves none, or no estimate.
+std::string mesh_error_text(const RefineReport& report, double mesh_error);
+
 // Describes the refinement of patches by the light. is_late: the time limit ended it.
 std::string describe(const RefineReport& report, bool is_late);
 

@@ -80,6 +80,7 @@ class Run {
     if (receivers() == 0) {  // the sky reaches no receiver
       light_->write(answer_, solution_, context_);
       sign();
+      if (hooks_.halves) hooks_.halves->fill(solution_);
       return finish(StopReason::nothing_to_do);
     }
     while (true) {
