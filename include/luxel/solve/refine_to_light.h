@@ -26,9 +26,9 @@ struct RefineOptions {
   /// 0: no bound.
   double max_cost = 0.0;
   std::uint64_t free_rays = 20'000'000;  ///< that max_cost allows in any case: some 20 s of one core
-  /// Options of the solve of the first mesh, and of the last without a bound on the cost. Their error: the
-  /// larger of the mesh error that is left and twice the target, but at most 10 % seen (3 % of the power); or
-  /// the error given here if it is larger.
+  /// Options of the solves, of the first mesh and of the last. Their error: the larger of the mesh error that
+  /// is left and twice the target, but at most 10 % seen (3 % of the power); or the error given here if it is
+  /// larger.
   SampledOptions light = {};
   SmoothOptions smooth = {};  ///< how light is reconstructed from patches: its error is what counts
   /// The solve that follows, for Progress::later alone: its requested error and SampledOptions::ray_budget.
@@ -83,16 +83,15 @@ struct RefineReport {
 /// The patches with the largest estimates are cut in four, a few at a time. The parts gather the light of the
 /// scene as it is known (solve/part_light.h): the cost of a level is that of its parts. When the target seems
 /// reached, the light is solved again on the mesh, since estimates that decided about cuts are too low where
-/// they were kept; the refinement ends where the new ones confirm it. Not with a bound on the cost: a later
-/// solve can confirm it (mesh_error_of()).
+/// they were kept; the refinement ends where the new ones confirm it. With a bound on the cost, only if that
+/// allows it.
 ///
 /// All light is found twice, independently: squares are products of both answers, whose noise is independent,
 /// so that rough answers suffice. Where the whole scene is solved they are the halves of the replicates of
 /// one solve. Random streams differ from those of other levels and of a later solve.
 ///
 /// The same bits on any number of threads. Cost: a coarse solve, trials that mostly take fewer rays than it
-/// (at most 7 times as many), without a bound on the cost another solve on the last mesh, and for each part
-/// at most 512 rays.
+/// (at most 7 times as many), another solve on the last mesh, and for each part at most 512 rays.
 PatchSet refine_to_light(PatchSet patches, const RefineOptions& options, RefineReport& report,
                          const Context& context = {});
 

@@ -85,7 +85,7 @@ class Refinement {
     if (!cut_on_trial()) return end(RefineStop::stopped_by_user);
     for (int level = 0;; ++level) {
       if (is_met()) {
-        if (cuts_ == 0 || options_.max_cost > 0.0) return end(RefineStop::mesh_error_reached);
+        if (cuts_ == 0 || !can_look_again()) return end(RefineStop::mesh_error_reached);
         if (!look_again()) return end(RefineStop::stopped_by_user);
         continue;
       }
@@ -125,8 +125,11 @@ class Refinement {
     return static_cast<double>(std::clamp<std::size_t>(cuts_, 1, selected)) * estimate_.error();
   }
 
-  // Estimates are believed until new light confirms them.
-  bool is_met() const { return estimate_.error() <= options_.mesh_error; }
+  // Estimates that can still be confirmed are believed until then.
+  bool is_met() const {
+    return (can_look_again() ? estimate_.error() : report_.levels.back().mesh_error) <= options_.mesh_error;
+  }
+  bool can_look_again() const { return is_within_cost(report_.levels.front().rays); }
 
   // Returns whether the marked patches, which differ by more than noise, have enough of the error.
   bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
@@ -345,7 +348,9 @@ class Refinement {
       left += squared[p];
     }
     sort_by_weight(squared, order);
-    const auto aimed = aim * options_.mesh_error * options_.mesh_error * (1.0 - left_by_halving);
+    const auto target =
+        options_.mesh_error / static_cast<double>(can_look_again() ? 1 : std::min(selected, cuts_ + 1));
+    const auto aimed = aim * target * target * (1.0 - left_by_halving);
     const auto least = is_last ? left : max_unrefined_fraction * left;
     const auto size = static_cast<double>(now_.patches.size());
     const auto few = static_cast<std::size_t>(
