@@ -56,8 +56,8 @@ struct RefineLevel {
 
 struct RefineReport {
   RefineStop stop = RefineStop::stopped_by_user;
-  /// Of the mesh that is the result, as the light estimates it that decided the cuts; a solution's own error
-  /// is apart from it.
+  /// Of the resulting mesh, estimated from the same light as the cuts. The sampling error of a solution is
+  /// not part of it.
   double mesh_error = 0.0;
   std::vector<RefineLevel> levels;
   /// If the user stopped the refinement: the mean of the last two answers, for the patches of the result,

@@ -84,7 +84,7 @@ SolveReport LightStage::solve(Baked& baked, const std::vector<std::uint32_t>& fa
   return record_.stage("light", [&](auto& stage) {
     auto result = is_refined_light_ ? report_of_stopped(baked.solution) : solve_method(baked, faces, hooks);
     stage.rays = result.rays;
-    // The light that decided about the mesh was noisier, and mesh errors that chance made small ended it.
+    // The refinement's own estimate is noisier, and too low where it decided about the cuts.
     if (!halves[0].irradiance.front.empty())
       baked.solution.mesh_error =
           mesh_error_of(baked.patches, *tracer_, std::move(halves), settings_.light.sampled.error_measure,

@@ -40,14 +40,6 @@ double sqrt_of_sum(const Contributions& contributions, double fraction) {
   return std::sqrt((std::max(0.0, sum) + std::sqrt(4.0 / 3.0 * squares)) / fraction);
 }
 
-SideValues mean_irradiance(const Answers& answers) {
-  auto mean = answers[0].solution.irradiance;
-  for (const bool back : {false, true})
-    for (std::size_t i = 0; i < mean.of(back).size(); ++i)
-      mean.of(back)[i] = 0.5f * (mean.of(back)[i] + answers[1].solution.irradiance.of(back)[i]);
-  return mean;
-}
-
 }  // namespace
 
 std::vector<double> weights_in_power(const PatchSet& patches, const Answers& answers) {
@@ -81,7 +73,7 @@ void MeshEstimate::look(const PatchSet& patches, const Answers& answers, const T
     }
   weights_.clear();
   if (measure == ErrorMeasure::seen)
-    weights_ = seen_sides(patches, tracer, mean_irradiance(answers), expected.squared, context).importance;
+    weights_ = seen_sides(patches, tracer, mean_of(answers).irradiance, expected.squared, context).importance;
   if (weights_.empty()) weights_ = weights_in_power(patches, answers);
   expected_ = weighed(expected, weights_, patches.band_count());
 }
@@ -94,7 +86,7 @@ void MeshEstimate::predict_cut(std::span<const std::uint32_t> parent) {
     if (parts_of[p] > 1) squared[p] *= left_by_halving;
 }
 
-// What halving changes is what it does not leave.
+// The estimate is of what halving would remove; left_by_halving of the squared error would remain.
 double MeshEstimate::error() const { return sqrt_of_sum(expected_, 1.0 - left_by_halving); }
 
 double mesh_error_of(const PatchSet& patches, const Tracer& tracer, std::array<Solution, 2> halves,
@@ -107,7 +99,7 @@ double mesh_error_of(const PatchSet& patches, const Tracer& tracer, std::array<S
   }
   const auto residual = residual_within_patches(patches, answers, context);
   if (measure == ErrorMeasure::seen) {
-    const auto seen = seen_sides(patches, tracer, mean_irradiance(answers), residual.squared, context);
+    const auto seen = seen_sides(patches, tracer, mean_of(answers).irradiance, residual.squared, context);
     if (!seen.importance.empty()) return seen.error / std::sqrt(shown_by_residual);
   }
   return sqrt_of_sum(weighed(residual, weights_in_power(patches, answers), patches.band_count()),

@@ -123,7 +123,7 @@ class Cells {
   }
 
  private:
-  // Of a quantile among sorted numbers.
+  // Returns where the quantile would stand if the numbers were sorted.
   static std::vector<float>::iterator place_of(std::vector<float>& numbers, double fraction) {
     return numbers.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(numbers.size()));
   }
