@@ -41,6 +41,17 @@ export function settled(page, state = 'html[data-state]') {
   return page.waitForSelector(state, { state: 'attached', timeout: 60_000 });
 }
 
+// Two frames later: what was asked for is drawn then.
+export const drawn = (page) => page.evaluate(() => new Promise((done) =>
+  requestAnimationFrame(() => requestAnimationFrame(done))));
+
+// What was asked for is drawn, smoothed and shown: the same picture every time, however long the frames take.
+export async function atRest(page) {
+  await drawn(page);
+  await settled(page, 'html[data-picture=smooth]');
+  await drawn(page);
+}
+
 // Mean difference of two pictures of one size, all channels alike, as a share of the display's range; computed by the
 // browser, which can read every picture. a, b: bytes of PNG files; covered: count only the pixels that surfaces cover
 // on the page's transparent canvas.

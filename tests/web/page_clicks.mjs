@@ -7,7 +7,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { argv } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { difference, launch, run, settled } from './browser.mjs';
+import { atRest, difference, drawn, launch, run, settled } from './browser.mjs';
 
 const [screen, folder, photographs, title, ...pictures] = argv.slice(2);
 const address = pathToFileURL(join(folder, 'box.html')).href;
@@ -25,10 +25,6 @@ async function open(browser, options, hash = '', file = address) {
   return page;
 }
 
-// Two pictures later: what was asked for is drawn then.
-const drawn = (page) => page.evaluate(() => new Promise((done) =>
-  requestAnimationFrame(() => requestAnimationFrame(done))));
-
 async function photograph(page, name) {
   await drawn(page);
   return page.screenshot({ path: join(photographs, `${screen}-${name}.png`) });
@@ -38,7 +34,7 @@ async function photograph(page, name) {
 const beside = screen === 'desk' ? { clip: { x: 0, y: 0, width: 970, height: 800 } } : {};
 
 async function scene(page, name) {
-  await drawn(page);
+  await atRest(page);
   return page.screenshot({ path: join(photographs, `${screen}-${name}.png`), ...beside });
 }
 

@@ -6,7 +6,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { argv } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { difference, run, settled } from './browser.mjs';
+import { atRest, difference, run, settled } from './browser.mjs';
 
 const [folder, photographs] = argv.slice(2);
 const address = pathToFileURL(join(folder, 'luminaires.html')).href;
@@ -23,7 +23,7 @@ async function open(browser, hash, viewport = { width: 640, height: 480 }) {
 }
 
 async function photograph(page, name) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await atRest(page);
   return page.screenshot({ path: join(photographs, `luminaires-${name}.png`) });
 }
 
