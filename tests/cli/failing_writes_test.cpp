@@ -21,8 +21,11 @@ class FailingWrites : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder = fresh_folder("failing_writes");
-    ASSERT_EQ(cli::run(folder, "$LUXEL bake cornell-box.obj --max-edge 0.5 --error 20% -o light.vtkhdf").code,
-              0);
+    ASSERT_EQ(
+        cli::run(folder,
+                 "$LUXEL bake cornell-box.obj --max-edge 0.5 --mesh-error none --error 20% -o light.vtkhdf")
+            .code,
+        0);
     ASSERT_EQ(cli::run(folder, command).code, 0);
     whole = read_file(folder / "out.glb");
   }
@@ -60,9 +63,10 @@ TEST_F(FailingWrites, leave_the_old_file_or_the_new_one) {
 TEST(SlowReads, change_no_byte_of_a_result) {
   const auto folder = fresh_folder("slow_reads");
   const std::string bake =
-      "$LUXEL bake cornell-box.obj --max-edge 0.5 --error 20% -o light.vtkhdf -o lit.glb";
+      "$LUXEL bake cornell-box.obj --max-edge 0.5 --mesh-error none --error 20% -o light.vtkhdf -o lit.glb";
   const std::string use =
-      "$LUXEL export light.vtkhdf -o out.glb && $LUXEL bake lit.glb --error 20% -o again.vtkhdf";
+      "$LUXEL export light.vtkhdf -o out.glb && $LUXEL bake lit.glb --mesh-error none --error 20% -o "
+      "again.vtkhdf";
   const auto plain_bake = cli::run(folder, bake), plain_use = cli::run(folder, use);
   ASSERT_EQ(plain_use.code, 0) << plain_bake.err << plain_use.err;
   const std::string files[] = {"light.vtkhdf", "out.glb", "again.vtkhdf"};

@@ -157,7 +157,7 @@ TEST(LightmapCommand, and_export_write_nothing_when_stopped_after_the_texels) {
   for (const std::string line : {"$LUXEL lightmap box.vtkhdf -o map.png -o map.exr",
                                  "$LUXEL export box.vtkhdf --as emissive -o map.glb"}) {
     const auto run =
-        run_interrupted(folder, line + " --texels-per-metre 3000 --final-gather none --progress json",
+        run_interrupted(folder, line + " --texels-per-metre 1200 --final-gather none --progress json",
                         "grep -q 'places\\|seams' stderr.txt");
     EXPECT_EQ(run.code, 3) << line << run.err;
     EXPECT_NE(run.err.find("stopped"), std::string::npos) << run.err;

@@ -304,9 +304,11 @@ TEST(Report, has_the_daylight_of_the_solved_scene) {
 
 TEST(Report, reports_scenes_without_luminaires_and_refuses_what_it_cannot_do) {
   const auto folder = fresh_folder("report_without");
-  const auto baked = cli::run(folder, "$LUXEL bake cornell-box.obj --error 20% -o box.vtkhdf --quiet");
+  const auto baked =
+      cli::run(folder, "$LUXEL bake cornell-box.obj --max-edge 0.2 --error 20% -o box.vtkhdf --quiet");
   ASSERT_EQ(baked.code, 0) << baked.err;
-  const auto made = cli::run(folder, "$LUXEL report box.vtkhdf -o box.html --json");
+  const auto made =
+      cli::run(folder, "$LUXEL report box.vtkhdf --picture off --unfolded off -o box.html --json");
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_TRUE(has(made.err, "no luminaires with photometric files")) << made.err;
   EXPECT_TRUE(has(read_file(folder / "box.html"), "there is no list of luminaires"));

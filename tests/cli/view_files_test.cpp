@@ -79,7 +79,7 @@ std::string large_scene(const std::string& box, int side) {
 TEST_F(ViewFiles, scripts_wait_for_the_scene_that_is_being_opened) {
   std::ifstream file(folder_ / "cornell-box.obj");
   const std::string box{std::istreambuf_iterator<char>(file), {}};
-  write("large.obj", large_scene(box, 200));
+  write("large.obj", large_scene(box, 100));
   for (const std::string event : {"mesh", "light", "view"}) {
     const auto done =
         run("s.txt", "wait light\nwait view\ndrop large.obj\nwait " + event + "\nexpect file large.obj\n",

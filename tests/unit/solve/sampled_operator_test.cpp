@@ -140,7 +140,7 @@ TEST(SampledOperator, the_mean_over_seeds_is_the_form_factor_whatever_the_counts
 // Light that a small bright patch sends out and gets back from its surroundings. Where one half of the
 // replicates sent it on itself, each ray would bring back what it took out. False alarms: 3 in 1000.
 TEST(SampledOperator, a_bright_patch_does_not_see_itself_by_its_own_rays) {
-  const Room room{make_patches(truth::cube_a(), {.max_edge = 0.12f})};
+  const Room room{make_patches(truth::cube_a(), {.max_edge = 0.2f})};
   constexpr std::uint32_t bright = 100;
   constexpr double rho = 0.5;
   const auto returned = [&](std::uint64_t seed, std::uint32_t rays, bool crossed, bool both_ways) {
