@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <compare>
 #include <limits>
 
 #include <fmt/format.h>
@@ -153,7 +154,11 @@ SurfacePoint point_of(const PatchSet& patches, const Atlas& atlas, const TexelPl
 
 struct Wanting {
   std::uint32_t page, texel;
+  auto operator<=>(const Wanting&) const = default;
 };
+
+// Errors by which a texel differs from what is known otherwise, for more rays.
+constexpr double errors_off = 3.0;
 
 // Fills all texels with the smooth light; returns those for which it is not accurate enough. No pages if the
 // monitor stopped the work.
@@ -195,12 +200,10 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
   return wanting;
 }
 
-// Texels that differ from all of their neighbours by more than their errors: a few rays may all miss a small
-// bright surface, and then agree with each other.
-std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wanting>& gathered) {
-  constexpr float errors_off = 3.0f;
-  const auto luminance = [](const Vec3& c) { return c.r + c.g + c.b; };
-  std::vector<Wanting> found;
+// Adds texels that differ from all of their neighbours by more than their errors: a few rays may all miss a
+// small bright surface, and then agree with each other.
+std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wanting>& gathered,
+                                  std::vector<Wanting> found) {
   for (const auto& [p, texel] : gathered) {
     const auto& page = lightmap.pages[p];
     const auto width = page.irradiance.width, height = page.irradiance.height;
@@ -215,8 +218,11 @@ std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wa
         high = std::max(high, luminance(page.irradiance.pixels[at]));
       }
     const auto off = high > 0.0f ? std::max(low - own, own - high) : 0.0f;
-    if (off > errors_off * luminance(page.standard_error.pixels[texel])) found.push_back({p, texel});
+    if (off > static_cast<float>(errors_off) * luminance(page.standard_error.pixels[texel]))
+      found.push_back({p, texel});
   }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
@@ -225,11 +231,12 @@ class TexelGather {
  public:
   // Stores references.
   TexelGather(const PatchSet& patches, const Lightmap& lightmap,
-              const std::vector<std::vector<TexelPlace>>& places, const PointGather& gather,
-              std::uint64_t seed, const Context& context)
+              const std::vector<std::vector<TexelPlace>>& places, const SolvedLight& light,
+              const PointGather& gather, std::uint64_t seed, const Context& context)
       : patches_(patches),
         atlas_(lightmap.atlas),
         places_(places),
+        light_(light),
         gather_(gather),
         seed_(seed),
         context_(context) {}
@@ -238,14 +245,39 @@ class TexelGather {
   bool run(const std::vector<Wanting>& wanting, const PointGather::Limits& limits, double begin, double end,
            Lightmap& lightmap, TexelReport& report);
 
+  // The gathered texels that differ from the smooth light by more than the errors of both.
+  const std::vector<Wanting>& doubtful() const { return doubtful_; }
+
  private:
+  PointGather::Result with_smooth_light(PointGather::Result gathered, const TexelPlace& place) const;
+
   const PatchSet& patches_;
   const Atlas& atlas_;
   const std::vector<std::vector<TexelPlace>>& places_;
+  const SolvedLight& light_;
   const PointGather& gather_;
   std::uint64_t seed_;
   const Context& context_;
+  std::vector<Wanting> doubtful_;
 };
+
+// The mean of the gathered and the smooth light, weighted by their errors: where rays know little more than
+// the patches do, texels of rays alone would be specks in a smooth wall. The gathered error counts double,
+// since rays that all miss a small bright surface agree with each other.
+PointGather::Result TexelGather::with_smooth_light(PointGather::Result gathered,
+                                                   const TexelPlace& place) const {
+  constexpr double doubt = 2.0;
+  const auto squared = [](double x) { return x * x; };
+  const auto of_smooth = squared(light_.uncertainty(place.side));
+  const auto of_gathered = squared(doubt * glm::length(gathered.standard_error));
+  if (!(of_gathered > 0.0)) return gathered;
+  const auto weight = of_smooth / (of_smooth + of_gathered);
+  const auto smooth_error = light_.standard_error(place.side);
+  gathered.irradiance = weight * gathered.irradiance + (1.0 - weight) * light_.at(place);
+  gathered.standard_error = glm::sqrt(weight * weight * gathered.standard_error * gathered.standard_error +
+                                      squared(1.0 - weight) * smooth_error * smooth_error);
+  return gathered;
+}
 
 bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Limits& limits, double begin,
                       double end, Lightmap& lightmap, TexelReport& report) {
@@ -272,10 +304,16 @@ bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Li
     });
     for (std::size_t i = 0; i < count; ++i) {
       auto& page = lightmap.pages[wanting[first + i].page];
-      page.irradiance.pixels[wanting[first + i].texel] = in_gamut(results[i].irradiance);
-      page.standard_error.pixels[wanting[first + i].texel] = Vec3(results[i].standard_error);
+      const auto texel = wanting[first + i].texel;
+      const auto& place = places_[wanting[first + i].page][texel];
+      if (glm::length(results[i].irradiance - light_.at(place)) >
+          errors_off * std::hypot(glm::length(results[i].standard_error), light_.uncertainty(place.side)))
+        doubtful_.push_back(wanting[first + i]);
+      const auto mixed = page.light_vector.empty() ? with_smooth_light(results[i], place) : results[i];
+      page.irradiance.pixels[texel] = in_gamut(mixed.irradiance);
+      page.standard_error.pixels[texel] = Vec3(mixed.standard_error);
       for (std::size_t axis = 0; axis < page.light_vector.size(); ++axis)
-        page.light_vector[axis].pixels[wanting[first + i].texel] = Vec3(results[i].light_vector[axis]);
+        page.light_vector[axis].pixels[texel] = Vec3(results[i].light_vector[axis]);
       report.rays += results[i].rays;
       ++report.gathered;
       report.short_of_it += results[i].reached ? 0 : 1;
@@ -310,13 +348,14 @@ TexelReport gather_texels(const LightmapInput& input, const SmoothLight& light, 
   if (wanting.empty()) return report;
 
   const PointGather gather(patches, light, *tracer);
-  TexelGather texels(patches, lightmap, places, gather, options.seed, context);
+  TexelGather texels(patches, lightmap, places, solved, gather, options.seed, context);
   constexpr double first_part = 0.98;
   report.stopped = !texels.run(wanting, limits, 0.0, first_part, lightmap, report);
   if (report.stopped) return report;
   limits.min_rays = std::min(options.max_rays, 16 * limits.min_rays);
   TexelReport again{.rays = report.rays};
-  report.stopped = !texels.run(standing_out(lightmap, wanting), limits, first_part, 1.0, lightmap, again);
+  report.stopped = !texels.run(standing_out(lightmap, wanting, texels.doubtful()), limits, first_part, 1.0,
+                               lightmap, again);
   report.rays = again.rays;
   if (!report.stopped) context.report({"texels", 1.0, report.rays});
   return report;
