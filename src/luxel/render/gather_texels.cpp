@@ -50,6 +50,7 @@ class SolvedLight {
   SolvedLight(const PatchSet& patches, const Solution& solution, const SmoothLight& light)
       : patches_(patches), solution_(solution), light_(light), colours_(patches.colours()) {}
 
+  const PatchSet& patches() const { return patches_; }
   bool is_diffuser(SideId side) const { return patches_.material_of(side.patch()).is_diffuser(); }
 
   Vec3d at(const TexelPlace& place) const {
@@ -230,11 +231,9 @@ std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wa
 class TexelGather {
  public:
   // Stores references.
-  TexelGather(const PatchSet& patches, const Lightmap& lightmap,
-              const std::vector<std::vector<TexelPlace>>& places, const SolvedLight& light,
-              const PointGather& gather, std::uint64_t seed, const Context& context)
-      : patches_(patches),
-        atlas_(lightmap.atlas),
+  TexelGather(const Lightmap& lightmap, const std::vector<std::vector<TexelPlace>>& places,
+              const SolvedLight& light, const PointGather& gather, std::uint64_t seed, const Context& context)
+      : atlas_(lightmap.atlas),
         places_(places),
         light_(light),
         gather_(gather),
@@ -251,7 +250,6 @@ class TexelGather {
  private:
   PointGather::Result with_smooth_light(PointGather::Result gathered, const TexelPlace& place) const;
 
-  const PatchSet& patches_;
   const Atlas& atlas_;
   const std::vector<std::vector<TexelPlace>>& places_;
   const SolvedLight& light_;
@@ -298,7 +296,7 @@ bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Li
     context_.for_chunks(count, chunk, [&](std::size_t from, std::size_t to, int) {
       for (auto i = from; i < to; ++i) {
         const auto [page, texel] = wanting[first + i];
-        results[i] = gather_.at(point_of(patches_, atlas_, places_[page][texel]), limits,
+        results[i] = gather_.at(point_of(light_.patches(), atlas_, places_[page][texel]), limits,
                                 mix64(stream_key(seed_, RandomPurpose::lightmap_texels, texel) + page));
       }
     });
@@ -348,7 +346,7 @@ TexelReport gather_texels(const LightmapInput& input, const SmoothLight& light, 
   if (wanting.empty()) return report;
 
   const PointGather gather(patches, light, *tracer);
-  TexelGather texels(patches, lightmap, places, solved, gather, options.seed, context);
+  TexelGather texels(lightmap, places, solved, gather, options.seed, context);
   constexpr double first_part = 0.98;
   report.stopped = !texels.run(wanting, limits, 0.0, first_part, lightmap, report);
   if (report.stopped) return report;

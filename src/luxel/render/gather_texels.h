@@ -21,11 +21,12 @@ namespace luxel {
 // of its rise within the patch, exceeds the error target. These are gathered at the texel's point (Reichert
 // 1992): light straight from lamps and sky by shadow and cosine rays together, light from elsewhere by the
 // smooth light where the cosine rays end. Eight independent replicates of scrambled Sobol points are doubled
-// until their standard error is small enough; texels that then still stand out from all texels around them
-// take more samples.
+// until their standard error is small enough; texels that then still stand out from all texels around them,
+// or from the smooth light, take more samples. A texel holds the mean of gathered and smooth light, weighted
+// by their errors.
 //
-// Directional: every texel is gathered, and its light vector with it; the error target applies to the
-// irradiance.
+// Directional: every texel holds the gathered light, and its light vector with it; the error target applies
+// to the irradiance.
 //
 // After the monitor's stop in another stage than "texels" there are no pages.
 //
