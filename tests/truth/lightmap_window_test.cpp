@@ -58,8 +58,7 @@ TEST(Lightmap, has_no_flecks_in_a_room_with_a_window) {
 }
 
 // All light comes from a spot of 6 cm on the floor, which few rays find. Where the light of the patches is
-// even, that of texels is, too:
-// to 1.4 %, where gathered light alone was off by 15 %.
+// even, that of texels is, too: to 1.4 %, where gathered light alone was off by 15 %.
 TEST(Lightmap, has_no_flecks_in_a_room_lit_by_a_small_bright_spot) {
   auto scene = truth::window_room().scene();
   scene.point_lights.push_back({.name = "spot",

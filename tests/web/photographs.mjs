@@ -4,7 +4,7 @@
 import { join, resolve } from 'node:path';
 import { argv } from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { launch, settled } from './browser.mjs';
+import { atRest, launch, settled } from './browser.mjs';
 
 const [html, folder] = argv.slice(2);
 const desk = { viewport: { width: 1120, height: 800 } };
@@ -26,8 +26,7 @@ for (const [name, { screen, hash = '', clicks }] of Object.entries(pictures)) {
   await page.goto(`${pathToFileURL(resolve(html)).href}#${hash}`);
   await settled(page, 'html[data-state=ready]');
   await clicks?.(page);
-  await settled(page, 'html[data-picture=smooth]');
-  await page.waitForTimeout(100);
+  await atRest(page);
   await page.screenshot({ path: join(folder, `${name}.png`) });
   await context.close();
 }

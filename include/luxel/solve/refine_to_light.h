@@ -56,8 +56,8 @@ struct RefineLevel {
 
 struct RefineReport {
   RefineStop stop = RefineStop::stopped_by_user;
-  /// Of the resulting mesh, estimated from the same light as the cuts. The sampling error of a solution is
-  /// not part of it.
+  /// The mesh error of the result, estimated from the light that decided about the cuts. It does not include
+  /// sampling error.
   double mesh_error = 0.0;
   std::vector<RefineLevel> levels;
   /// If the user stopped the refinement: the mean of the last two answers, for the patches of the result,

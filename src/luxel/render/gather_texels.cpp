@@ -201,8 +201,8 @@ std::vector<Wanting> interpolate(const std::vector<std::vector<TexelPlace>>& pla
   return wanting;
 }
 
-// Adds texels that differ from all of their neighbours by more than their errors: a few rays may all miss a
-// small bright surface, and then agree with each other.
+// Adds to `found`, each once, the texels that differ from all of their neighbours by more than their errors:
+// a few rays may all miss a small bright surface, and then agree with each other.
 std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wanting>& gathered,
                                   std::vector<Wanting> found) {
   for (const auto& [p, texel] : gathered) {
@@ -227,6 +227,28 @@ std::vector<Wanting> standing_out(const Lightmap& lightmap, const std::vector<Wa
   return found;
 }
 
+// What the patches know of a texel.
+struct SmoothTexel {
+  Vec3d irradiance, standard_error;
+  double uncertainty = 0.0;  // see SolvedLight
+};
+
+// The mean of both, weighted by the inverse of their squared errors: where rays know little more than the
+// patches do, texels of rays alone would be specks in a smooth wall. The gathered error counts double, since
+// rays that all miss a small bright surface agree with each other.
+PointGather::Result weighted_mean(PointGather::Result gathered, const SmoothTexel& smooth) {
+  constexpr double doubt = 2.0;
+  const auto squared = [](double x) { return x * x; };
+  const auto of_smooth = squared(smooth.uncertainty);
+  const auto of_gathered = squared(doubt * glm::length(gathered.standard_error));
+  if (!(of_gathered > 0.0)) return gathered;
+  const auto weight = of_smooth / (of_smooth + of_gathered);
+  gathered.irradiance = weight * gathered.irradiance + (1.0 - weight) * smooth.irradiance;
+  gathered.standard_error = glm::sqrt(weight * weight * gathered.standard_error * gathered.standard_error +
+                                      squared(1.0 - weight) * smooth.standard_error * smooth.standard_error);
+  return gathered;
+}
+
 // Gathers light at texels, and writes it to pages that hold interpolated light so far.
 class TexelGather {
  public:
@@ -244,12 +266,10 @@ class TexelGather {
   bool run(const std::vector<Wanting>& wanting, const PointGather::Limits& limits, double begin, double end,
            Lightmap& lightmap, TexelReport& report);
 
-  // The gathered texels that differ from the smooth light by more than the errors of both.
+  // The texels gathered so far that differ from the smooth light by more than the errors of both.
   const std::vector<Wanting>& doubtful() const { return doubtful_; }
 
  private:
-  PointGather::Result with_smooth_light(PointGather::Result gathered, const TexelPlace& place) const;
-
   const Atlas& atlas_;
   const std::vector<std::vector<TexelPlace>>& places_;
   const SolvedLight& light_;
@@ -258,24 +278,6 @@ class TexelGather {
   const Context& context_;
   std::vector<Wanting> doubtful_;
 };
-
-// The mean of the gathered and the smooth light, weighted by their errors: where rays know little more than
-// the patches do, texels of rays alone would be specks in a smooth wall. The gathered error counts double,
-// since rays that all miss a small bright surface agree with each other.
-PointGather::Result TexelGather::with_smooth_light(PointGather::Result gathered,
-                                                   const TexelPlace& place) const {
-  constexpr double doubt = 2.0;
-  const auto squared = [](double x) { return x * x; };
-  const auto of_smooth = squared(light_.uncertainty(place.side));
-  const auto of_gathered = squared(doubt * glm::length(gathered.standard_error));
-  if (!(of_gathered > 0.0)) return gathered;
-  const auto weight = of_smooth / (of_smooth + of_gathered);
-  const auto smooth_error = light_.standard_error(place.side);
-  gathered.irradiance = weight * gathered.irradiance + (1.0 - weight) * light_.at(place);
-  gathered.standard_error = glm::sqrt(weight * weight * gathered.standard_error * gathered.standard_error +
-                                      squared(1.0 - weight) * smooth_error * smooth_error);
-  return gathered;
-}
 
 bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Limits& limits, double begin,
                       double end, Lightmap& lightmap, TexelReport& report) {
@@ -304,10 +306,12 @@ bool TexelGather::run(const std::vector<Wanting>& wanting, const PointGather::Li
       auto& page = lightmap.pages[wanting[first + i].page];
       const auto texel = wanting[first + i].texel;
       const auto& place = places_[wanting[first + i].page][texel];
-      if (glm::length(results[i].irradiance - light_.at(place)) >
-          errors_off * std::hypot(glm::length(results[i].standard_error), light_.uncertainty(place.side)))
+      const SmoothTexel smooth{light_.at(place), light_.standard_error(place.side),
+                               light_.uncertainty(place.side)};
+      if (glm::length(results[i].irradiance - smooth.irradiance) >
+          errors_off * std::hypot(glm::length(results[i].standard_error), smooth.uncertainty))
         doubtful_.push_back(wanting[first + i]);
-      const auto mixed = page.light_vector.empty() ? with_smooth_light(results[i], place) : results[i];
+      const auto mixed = page.light_vector.empty() ? weighted_mean(results[i], smooth) : results[i];
       page.irradiance.pixels[texel] = in_gamut(mixed.irradiance);
       page.standard_error.pixels[texel] = Vec3(mixed.standard_error);
       for (std::size_t axis = 0; axis < page.light_vector.size(); ++axis)

@@ -23,7 +23,7 @@ namespace luxel {
 // smooth light where the cosine rays end. Eight independent replicates of scrambled Sobol points are doubled
 // until their standard error is small enough; texels that then still stand out from all texels around them,
 // or from the smooth light, take more samples. A texel holds the mean of gathered and smooth light, weighted
-// by their errors.
+// by the inverse of their squared errors.
 //
 // Directional: every texel holds the gathered light, and its light vector with it; the error target applies
 // to the irradiance.
