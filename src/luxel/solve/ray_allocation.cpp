@@ -191,7 +191,6 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
   const auto begins = input.begins;
   const auto importance = input.importance;
   const auto radiosity = input.radiosity, gathered = input.gathered;
-  const auto whole = input.whole;
   const auto receivers = transport.sides().size();
   const auto bands = patches.band_count();
   const auto area = [&](std::size_t s) {
@@ -235,21 +234,21 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
           areas > 0.0 ? static_cast<float>(sum / areas * importance[s] / (rays(s) * rays(s))) : 0.0f;
   });
 
-  // 3. Multiply by the density of rays.
+  // 3. Multiply by the number of rays. The variance of light that no ray has found yet is taken to be the
+  // same everywhere.
   std::vector<double> squared_error(receivers);
-  double densities = 0.0;
   double sum = 0.0;
+  double even_sum = 0.0;
+  const auto even = [&](std::size_t s) { return area(s) * area(s) / rays(s); };
   for (std::size_t s = 0; s < receivers; ++s) {
-    const auto density = rays(s) / area(s);
-    squared_error[s] = density * (static_cast<double>(worth.own[s]) + static_cast<double>(worth.given[s]));
-    densities += density;
+    squared_error[s] = rays(s) * (static_cast<double>(worth.own[s]) + static_cast<double>(worth.given[s]));
     sum += squared_error[s];
+    even_sum += even(s);
   }
   if (!(sum > 0.0)) return squared_error;
-  for (std::size_t s = 0; s < receivers; ++s) {
-    const auto density = rays(s) / area(s);
-    squared_error[s] = whole * ((1.0 - even_part) * squared_error[s] / sum + even_part * density / densities);
-  }
+  for (std::size_t s = 0; s < receivers; ++s)
+    squared_error[s] =
+        input.whole * ((1.0 - even_part) * squared_error[s] / sum + even_part * even(s) / even_sum);
   return squared_error;
 }
 

@@ -103,8 +103,8 @@ struct GatherErrorInput {
   double whole = 0.0;                     // sum of the result
 };
 
-// The part of the squared error sum of I_i Var H_i that each receiver's gather rays cause: its rays per area
-// times the benefit of one more, both to its own row and to the rows of those that it meets
+// The part of the squared error sum of I_i Var H_i that each receiver's gather rays cause: their number times
+// the benefit of one more, both to its own row and to the rows of those that it meets
 // (SampledOperator::ray_worth). Doubling a receiver's rays removes about half of its part. Parts are of the
 // rays' densities and the light that they see, not of what a receiver's own rays happened to find; so counts
 // that follow them do not follow chance, which would bias the light.

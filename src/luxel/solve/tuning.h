@@ -144,8 +144,8 @@ constexpr double prior_hits = 1.0;
 
 namespace gathered {
 
-// Part of the benefit of a ray that every side has, whatever its samples: rays find light that no ray has
-// found yet.
+// Part of the squared error that is light no ray has found yet, with the same variance everywhere: in
+// proportion to area, over rays per area.
 constexpr double even_part = 0.05;
 
 }  // namespace gathered
