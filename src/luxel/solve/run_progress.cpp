@@ -99,7 +99,7 @@ double TimeForecast::learned_exponent() const {
   const auto& to = answers_.back();
   if (!(from.squared_error > 0.0 && to.squared_error > 0.0 && to.cost > from.cost)) return second_exponent;
   const auto p = std::log(from.squared_error / to.squared_error) / std::log(to.cost / from.cost);
-  if (n == 2 && !options_.is_resumed) return second_exponent + weight_of_first * (p - usual_first);
+  if (n == 2 && !options_.is_resumed) return third_exponent + weight_of_first * (p - usual_first);
   return own_part + weight_of_last * p;
 }
 
@@ -152,9 +152,11 @@ TimeForecast::Answer TimeForecast::planned_answer() const {
   auto next = answer_after(last, plan_.cost, answers_.size());
   next.rays = last.rays + plan_.rays;
   if (plan_.squared_error > 0.0) {
-    const auto believed = std::max(
-        plan_.squared_error, last.squared_error * std::pow(next.cost / last.cost, -max_believed_exponent));
-    next.squared_error = std::sqrt(believed * next.squared_error);
+    const auto believed =
+        std::max(plan_excess * plan_.squared_error,
+                 last.squared_error * std::pow(next.cost / last.cost, -max_believed_exponent));
+    next.squared_error =
+        std::pow(believed, weight_of_plan) * std::pow(next.squared_error, 1.0 - weight_of_plan);
   }
   return next;
 }

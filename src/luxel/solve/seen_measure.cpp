@@ -65,24 +65,25 @@ double SeenMeasure::error_of(const Spread& answer) const {
   return SeenError(views_.stating, light).percentile_95();
 }
 
-SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const {
+void SeenMeasure::set(SideEstimate& estimate, SideId side, const Spread& answer) const {
   const auto bands = patches_.band_count();
+  const auto receiver = sides_.receiver_of_side[side.index()];
+  estimate.irradiance.assign(bands, 0.0f);
+  estimate.squared_error.assign(bands, 0.0);
+  for (std::size_t b = 0; receiver != none && b < bands; ++b) {
+    estimate.irradiance[b] = answer.mean[receiver * bands + b];
+    estimate.squared_error[b] = static_cast<double>(answer.squared_error[receiver * bands + b]);
+  }
+}
+
+SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const {
   SeenLight light{std::vector<float>(views.sides.size()), std::vector<float>(views.sides.size()),
                   sky_radiance(patches_)};
   const bool black = reflects_nothing(patches_, views_.stating);
   SideEstimate here, far;
-  const auto set = [&](SideId side, SideEstimate& estimate) {
-    const auto receiver = sides_.receiver_of_side[side.index()];
-    estimate.irradiance.assign(bands, 0.0f);
-    estimate.squared_error.assign(bands, 0.0);
-    for (std::size_t b = 0; receiver != none && b < bands; ++b) {
-      estimate.irradiance[b] = answer.mean[receiver * bands + b];
-      estimate.squared_error[b] = static_cast<double>(answer.squared_error[receiver * bands + b]);
-    }
-  };
   for (std::size_t i = 0; i < views.sides.size(); ++i) {
-    set(views.sides[i], here);
-    if (is_diffuser(views.sides[i])) set(views.sides[i].opposite(), far);
+    set(here, views.sides[i], answer);
+    if (is_diffuser(views.sides[i])) set(far, views.sides[i].opposite(), answer);
     const auto side = light_of_side(patches_, views.sides[i], here, far, black);
     light.radiance[i] = side.radiance;
     light.squared_error[i] = side.squared_error;
@@ -91,16 +92,16 @@ SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const 
 }
 
 void SeenMeasure::take(const Spread& answer, Replicates direct, Replicates gathered, const Context& context) {
-  take(answer);
+  take(answer, context);
   const auto light = light_of(views_.stating, answer);
   estimate_uncertainty(SeenError(views_.stating, light), light, answer, direct, gathered, context);
 }
 
-void SeenMeasure::take(const Spread& answer) {
+void SeenMeasure::take(const Spread& answer, const Context& context) {
   error_ = error_of(answer);
   uncertainty_ = 0.0;
   const auto dealing = light_of(views_.dealing, answer);
-  spread_importance(SeenError(views_.dealing, dealing).importance(), answer);
+  spread_importance(SeenError(views_.dealing, dealing).attention(), answer, context);
 }
 
 void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
@@ -163,57 +164,103 @@ double SeenMeasure::area_of(std::size_t receiver) const {
   return static_cast<double>(patches_.area[sides_.side[receiver].patch()]);
 }
 
-std::vector<double> SeenMeasure::densities(std::span<const double> of_seen) const {
-  std::vector<double> hits(of_seen.size(), 0.0);
-  for (const auto code : views_.dealing.seen)
-    if (code < Views::sky) hits[code] += 1.0;
-  std::vector<SeenUnit> at(sides_.size());  // [receiver]
-  for (std::size_t i = 0; i < of_seen.size(); ++i) {
-    const auto receiver = sides_.receiver_of_side[views_.dealing.sides[i].index()];
-    if (receiver != none) at[receiver] = {hits[i], of_seen[i]};
-  }
-  std::vector<SeenUnit> units(units_.size() - 1);
-  std::size_t fronts = 0;  // units
-  for (std::size_t u = 0; u < units.size(); ++u) {
-    if (units_[u] < sides_.fronts) fronts = u + 1;
-    for (auto s = units_[u]; s < units_[u + 1]; ++s) {
-      units[u].hits += at[s].hits;
-      units[u].sum += at[s].sum;
-      units[u].area += area_of(s);
+std::vector<float> SeenMeasure::radiances(const Spread& answer, const Context& context) const {
+  const bool black = reflects_nothing(patches_, views_.stating);
+  std::vector<float> result(sides_.size());
+  context.for_chunks(result.size(), radiance_grain, [&](std::size_t begin, std::size_t end, int) {
+    SideEstimate here, far;
+    for (auto s = begin; s < end; ++s) {
+      const auto side = sides_.side[s];
+      set(here, side, answer);
+      if (is_diffuser(side)) set(far, side.opposite(), answer);
+      result[s] = light_of_side(patches_, side, here, far, black).radiance;
     }
-  }
+  });
+  return result;
+}
+
+std::vector<double> SeenMeasure::densities(std::span<const SeenUnit> units) const {
   if (pooling_ == Pooling::unit) {
     std::vector<double> own;
     for (const auto& unit : units) own.push_back(unit.sum / unit.area);
     return own;
   }
-  auto density = pooled_densities(std::span(units).first(fronts));
-  const auto of_backs = pooled_densities(std::span(units).subspan(fronts));
+  std::size_t fronts = 0;
+  while (fronts < units.size() && units_[fronts] < sides_.fronts) ++fronts;
+  auto density = pooled_densities(units.first(fronts));
+  const auto of_backs = pooled_densities(units.subspan(fronts));
   density.insert(density.end(), of_backs.begin(), of_backs.end());
   return density;
 }
 
-void SeenMeasure::spread_importance(std::span<const double> of_seen, const Spread& answer) {
+std::vector<SeenMeasure::UnitAttention> SeenMeasure::attention_of_units(
+    std::span<const Attention> of_seen, std::span<const float> radiance) const {
+  std::vector<double> hits(of_seen.size(), 0.0);
+  for (const auto code : views_.dealing.seen)
+    if (code < Views::sky) hits[code] += 1.0;
+  const auto count = units_.size() - 1;
+  std::vector<std::uint32_t> unit_of(sides_.size());  // [receiver]
+  std::vector<UnitAttention> result(count);
+  std::vector<SeenUnit> weights(count), adaptations(count);
+  for (std::size_t u = 0; u < count; ++u) {
+    double light = 0.0;
+    for (auto s = units_[u]; s < units_[u + 1]; ++s) {
+      unit_of[s] = static_cast<std::uint32_t>(u);
+      weights[u].area += area_of(s);
+      light += area_of(s) * static_cast<double>(radiance[s]);
+    }
+    adaptations[u].area = weights[u].area;
+    result[u].radiance = light / weights[u].area;
+  }
+  std::vector<double> found(count, 0.0);  // importance of what was met
+  for (std::size_t i = 0; i < of_seen.size(); ++i) {
+    const auto receiver = sides_.receiver_of_side[views_.dealing.sides[i].index()];
+    if (receiver == none) continue;
+    const auto u = unit_of[receiver];
+    weights[u].hits += hits[i];
+    weights[u].sum += of_seen[i].weight;
+    adaptations[u].sum += of_seen[i].weight * of_seen[i].adaptation;
+    found[u] += of_seen[i].importance(static_cast<double>(radiance[receiver]));
+  }
+  for (std::size_t u = 0; u < count; ++u) adaptations[u].hits = weights[u].hits;
+  const auto weight = densities(weights), adaptation = densities(adaptations);
+  for (std::size_t u = 0; u < count; ++u) {
+    if (!(weight[u] > 0.0)) continue;
+    auto& unit = result[u];
+    unit.attention = {weight[u], adaptation[u] / weight[u]};
+    unit.importance = unit.attention.importance(unit.radiance);
+    if (!(weights[u].sum > 0.0)) continue;
+    const auto of_met = weight[u] * found[u] / weights[u].sum;
+    const auto prior = pooling_ == Pooling::unit ? 0.0 : prior_hits;
+    unit.importance = (weights[u].hits * of_met + prior * unit.importance) / (weights[u].hits + prior);
+  }
+  return result;
+}
+
+void SeenMeasure::spread_importance(std::span<const Attention> of_seen, const Spread& answer,
+                                    const Context& context) {
   const auto bands = patches_.band_count();
-  const auto scale = 1.0 / (squared(std::numbers::pi) * static_cast<double>(bands));
+  const auto scale = 1.0 / squared(std::numbers::pi * static_cast<double>(bands));
   const bool black = reflects_nothing(patches_, views_.stating);
-  const auto density = densities(of_seen);
+  const auto radiance = radiances(answer, context);
+  const auto units = attention_of_units(of_seen, radiance);
   importance_.assign(sides_.size(), 0.0);
   double seen = 0.0;   // sum of importance * variance
   double whole = 0.0;  // sum of area * variance
-  const auto area = [this](std::size_t receiver) { return area_of(receiver); };
-  for (std::size_t u = 0; u + 1 < units_.size(); ++u) {
+  for (std::size_t u = 0; u < units.size(); ++u) {
     for (auto s = units_[u]; s < units_[u + 1]; ++s) {
+      const auto patch = sides_.side[s].patch();
       double rho2 = 0.0;
       double tau2 = 0.0;
       for (std::size_t b = 0; b < bands; ++b) {
-        rho2 += black ? 1.0 : squared(static_cast<double>(patches_.reflectance(sides_.side[s].patch(), b)));
-        tau2 += squared(static_cast<double>(patches_.diffuse_transmittance(sides_.side[s].patch(), b)));
+        rho2 += black ? 1.0 : squared(static_cast<double>(patches_.reflectance(patch, b)));
+        tau2 += squared(static_cast<double>(patches_.diffuse_transmittance(patch, b)));
       }
-      importance_[s] += scale * rho2 / static_cast<double>(bands) * density[u] * area(s);
+      const auto own = units[u].attention.importance(static_cast<double>(radiance[s]));
+      const auto of_side = scale * area_of(s) * std::min(own, units[u].importance);
+      importance_[s] += rho2 * of_side;
       const auto far = sides_.receiver_of_side[sides_.side[s].opposite().index()];
-      if (tau2 > 0.0 && far != none)
-        importance_[far] += scale * tau2 / static_cast<double>(bands) * density[u] * area(s);
+      if (tau2 > 0.0 && far != none) importance_[far] += tau2 * of_side;
     }
   }
   for (std::size_t s = 0; s < importance_.size(); ++s) {
@@ -221,11 +268,11 @@ void SeenMeasure::spread_importance(std::span<const double> of_seen, const Sprea
     for (std::size_t b = 0; b < bands; ++b)
       variance += squared(static_cast<double>(answer.standard_error[s * bands + b]));
     seen += importance_[s] * variance;
-    whole += area(s) * variance;
+    whole += area_of(s) * variance;
   }
   const auto by_area = whole > 0.0 ? area_fraction * seen / whole : 0.0;
   for (std::size_t s = 0; s < importance_.size(); ++s)
-    importance_[s] = (1.0 - area_fraction) * importance_[s] + by_area * area(s);
+    importance_[s] = (1.0 - area_fraction) * importance_[s] + by_area * area_of(s);
 }
 
 SeenSides seen_sides(const PatchSet& patches, const Tracer& tracer, const SideValues& irradiance,
@@ -246,7 +293,7 @@ SeenSides seen_sides(const PatchSet& patches, const Tracer& tracer, const SideVa
       answer.squared_error.push_back(squared);
       answer.standard_error.push_back(std::sqrt(std::max(0.0f, squared)));
     }
-  measure.take(answer);
+  measure.take(answer, context);
   SeenSides result{measure.error(), std::vector<double>(side_count(patches.size()), 0.0)};
   for (std::size_t receiver = 0; receiver < sides.size(); ++receiver)
     result.importance[sides.side[receiver].index()] = measure.importance()[receiver];

@@ -9,6 +9,7 @@
 #include "luxel/core/context.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/solution/solution.h"
+#include "luxel/solve/pool_units.h"
 #include "luxel/solve/replicate_spread.h"
 #include "luxel/trace/gather_sides.h"
 #include "luxel/trace/place_views.h"
@@ -43,29 +44,40 @@ class SeenMeasure {
   void take(const Spread& answer, Replicates direct, Replicates gathered, const Context& context);
 
   // Takes an answer without replicates: its uncertainty is 0.
-  void take(const Spread& answer);
+  void take(const Spread& answer, const Context& context);
 
   // The error of the last answer taken.
   double error() const { return error_; }              // see Solution::seen_error
   double uncertainty() const { return uncertainty_; }  // its relative standard error, by the jackknife
 
   // Importance of each receiver, (m² / W)²: importance times the variance of the receiver's irradiance,
-  // summed over bands (not averaged), summed over receivers, is about the square of error(). The views'
-  // importance of sides is pooled over each unit and distributed to its receivers by area and squared
-  // reflectance, because some hundred directions per view are sparse for a million sides; a twentieth is
-  // distributed by area alone, for light that reaches the views by surfaces outside them.
+  // summed over bands (not averaged), summed over receivers, is about the square of error(). Some hundred
+  // directions per view are sparse for a million sides, so how much the views look at a side is pooled over
+  // each unit. A receiver's importance follows from that and its own radiance, at most that of the sides that
+  // the views meet in its unit: a bright one does not count like the dark ones beside it, nor a dark one
+  // that is hidden like the ones that are seen. A twentieth is distributed by area alone, for light that
+  // reaches the views by surfaces outside them.
   std::span<const double> importance() const { return importance_; }  // [receiver]
 
  private:
+  struct UnitAttention {
+    Attention attention;      // weight per area, 1/m²
+    double radiance = 0.0;    // W/(m² sr), mean over the area
+    double importance = 0.0;  // per area, of the sides that the views meet
+  };
+
   bool is_diffuser(SideId side) const { return patches_.material_of(side.patch()).is_diffuser(); }
+  void set(SideEstimate& estimate, SideId side, const Spread& answer) const;
   SeenLight light_of(const Views& views, const Spread& answer) const;
   void estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
                             Replicates direct, Replicates gathered, const Context& context);
-  double area_of(std::size_t receiver) const;  // m²
-  // Returns the importance per area of each unit, (m² / W)² per m². of_seen: importance of each of
-  // Views::sides.
-  std::vector<double> densities(std::span<const double> of_seen) const;
-  void spread_importance(std::span<const double> of_seen, const Spread& answer);
+  double area_of(std::size_t receiver) const;                                        // m²
+  std::vector<float> radiances(const Spread& answer, const Context& context) const;  // [receiver]
+  std::vector<double> densities(std::span<const SeenUnit> units) const;              // 1/m², [unit]
+  // of_seen: [index in Views::sides]; radiance: [receiver].
+  std::vector<UnitAttention> attention_of_units(std::span<const Attention> of_seen,
+                                                std::span<const float> radiance) const;
+  void spread_importance(std::span<const Attention> of_seen, const Spread& answer, const Context& context);
 
   const PatchSet& patches_;
   const GatherSides& sides_;

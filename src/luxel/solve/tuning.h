@@ -135,8 +135,11 @@ namespace seen {
 // not see.
 constexpr double area_fraction = 0.05;
 
-// Weight of a neighbourhood's density of importance in that of its half, in directions; see pool_units.h.
+// Weight of a neighbourhood's density in that of its half, in directions; see pool_units.h. And of the mean
+// light of a unit in the importance of the sides that were met there.
 constexpr double prior_hits = 1.0;
+
+constexpr std::size_t radiance_grain = 4096;  // receivers per chunk
 
 }  // namespace seen
 
@@ -191,11 +194,11 @@ constexpr double min_growth = 0.5;
 constexpr double growth_after_first = 4.0;
 constexpr double growth_later = 1.5;
 constexpr double growth_to_bound = 1.0;
-// Squared error ~ cost^-p. Measured in four scenes: from the first answer to the second 1.7 to 2.1, later
-// 0.7 to 1.8. It does not depend on the rounds before, so that a resumed run plans as one that was not
+// Squared error ~ cost^-p. Measured in four scenes: from the first answer to the second 1.4 to 2.0, later
+// 1.1 to 3.4. It does not depend on the rounds before, so that a resumed run plans as one that was not
 // stopped.
 constexpr double first_exponent = 1.9;
-constexpr double later_exponent = 0.95;
+constexpr double later_exponent = 1.5;
 
 }  // namespace rounds
 
@@ -203,17 +206,19 @@ constexpr double later_exponent = 0.95;
 
 namespace forecast {
 
-// Squared error ~ cost^-p. Measured in seven scenes (bench/time_left.py): in the first half again as many
-// samples after the first answer 2 to 10, 3.3 in most; then 0.9 (reading room) to 1.9 (a bare box).
+// Squared error ~ cost^-p. Measured in the Cornell box, a furnished hall, a kitchen and the reading room: in
+// the first half again as many samples after the first answer 2 to 10, 3.3 in most; 1.3 to 2.0 from the first
+// answer to the second, to which the next constant is fitted; 1.1 to 3.4 from there to the third.
 constexpr double first_exponent = 3.3;
-constexpr double second_exponent = 1.5;
-// Exponent between the first two answers: measured 1.6 to 2.1. Its weight in the next one.
-constexpr double usual_first = 1.85;
+constexpr double second_exponent = 1.3;
+constexpr double third_exponent = 2.1;
+// Exponent between the first two answers, and its weight in the next one.
+constexpr double usual_first = 1.7;
 constexpr double weight_of_first = 0.1;
 // Later: p = own_part + weight_of_last * (exponent between the last answers), fitted to the same scenes.
-constexpr double own_part = 0.66;
+constexpr double own_part = 1.15;
 constexpr double weight_of_last = 0.24;
-constexpr double min_exponent = 0.85, max_exponent = 1.8;
+constexpr double min_exponent = 1.0, max_exponent = 2.2;
 // Ratio of the first error to the error target above which the time estimate waits for the second answer.
 constexpr double max_first_error = 10.0;
 // Seconds of samples ~ cost^p: small rounds use the processors less well. Measured 0.76 to 0.9; later rounds
@@ -221,7 +226,7 @@ constexpr double max_first_error = 10.0;
 constexpr double sampling_exponent = 0.87;
 // Seconds per cost of the second round over those of all before the first answer, which includes more than
 // samples. Measured 0.55 to 0.75.
-constexpr double second_pace = 0.6;
+constexpr double second_pace = 0.72;
 // Additional seconds of an answer per cost of further samples, over the seconds per cost of sampling them:
 // measured 0.07 to 0.14; and the largest value accepted.
 constexpr double answer_slope = 0.1, max_answer_slope = 0.5;
@@ -233,9 +238,12 @@ constexpr int max_rounds = 100;
 constexpr double weight_of_newest = 0.7;
 // Logarithm of the predicted squared error over its target: another round has weight 0 up to the first and 1
 // from the second on, so that a small change does not add a whole round.
-constexpr double surely_reached = -0.05, surely_missed = 0.15;
-// The plan's own forecast of the error counts half; its exponent is limited to this.
-constexpr double max_believed_exponent = 1.9;
+constexpr double surely_reached = -0.03, surely_missed = 0.05;
+// The error that the plan expects: its square is too small by this factor (measured 1.1 to 2.6), its weight
+// in the logarithm, and the limit of its exponent.
+constexpr double plan_excess = 1.25;
+constexpr double weight_of_plan = 0.95;
+constexpr double max_believed_exponent = 3.3;
 
 }  // namespace forecast
 

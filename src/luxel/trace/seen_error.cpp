@@ -121,9 +121,10 @@ double SeenError::percentile_95(std::span<const float> squared_error) const {
   return percentile(errors(squared_error));
 }
 
-std::vector<double> SeenError::importance() const {
+std::vector<Attention> SeenError::attention() const {
   const auto worst = percentile_95();
-  std::vector<double> result(views_.sides.size(), 0.0);
+  std::vector<Attention> result(views_.sides.size());
+  std::vector<double> importance(views_.sides.size(), 0.0);
   double sum = 0.0;
   for (std::size_t v = 0; v < views_.size(); ++v) {
     const auto seen = views_.seen_by(v);
@@ -131,13 +132,21 @@ std::vector<double> SeenError::importance() const {
     const auto pressure =
         static_cast<double>(views_.weight[v]) * squared(squared(std::min(error_[v], worst)));
     sum += pressure * squared(error_[v]);
-    for (const auto s : seen)
-      if (s < Views::sky)
-        result[s] += pressure / static_cast<double>(count) *
-                     sensitivity(static_cast<double>(light_.radiance[s]), adaptation_[v]);
+    for (const auto s : seen) {
+      if (s >= Views::sky) continue;
+      const auto weight = pressure / static_cast<double>(count);
+      result[s].weight += weight;
+      importance[s] += weight * sensitivity(static_cast<double>(light_.radiance[s]), adaptation_[v]);
+    }
   }
+  // The mean of the adaptations that gives the importance at the radiance of the side.
   const auto scale = sum > 0.0 ? squared(worst) / sum : 0.0;
-  for (auto& i : result) i *= scale;
+  for (std::size_t s = 0; s < result.size(); ++s) {
+    if (!(importance[s] > 0.0)) continue;
+    result[s].adaptation =
+        std::max(0.0, std::sqrt(result[s].weight / importance[s]) - static_cast<double>(light_.radiance[s]));
+    result[s].weight *= scale;
+  }
   return result;
 }
 

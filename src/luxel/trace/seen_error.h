@@ -42,6 +42,18 @@ SeenSide light_of_side(const PatchSet& patches, SideId side, const SideEstimate&
 // The root mean square over bands of the radiance of the sky.
 float sky_radiance(const PatchSet& patches);
 
+// How much the views look at a side, whatever its light, and what their eyes adapt to.
+struct Attention {
+  double weight = 0.0;
+  double adaptation = 0.0;  // W/(m² sr), mean over these views; 0 where there are none
+
+  // The effect on the views of a squared error of 1 (W/(m² sr))², for a radiance in W/(m² sr).
+  double importance(double radiance) const {
+    const auto level = radiance + adaptation;
+    return level > 0.0 ? weight / (level * level) : 0.0;
+  }
+};
+
 // The error that can be seen from each view: the root mean square, over the directions that meet a surface in
 // the focus, of
 //
@@ -62,12 +74,12 @@ class SeenError {
   // The same percentile for other squared errors of the sides seen, at the same radiances.
   double percentile_95(std::span<const float> squared_error) const;
 
-  // Returns the effect of a squared error of 1 (W/(m² sr))² at each side on the views, [index in
-  // Views::sides]: the sum over views of u (fraction of the view) / (L + 0.05 a)². u emphasises the worst
-  // views: weight times the fourth power of the view's error, capped beyond the 95th percentile at the value
-  // there; scaled so that the sum over sides of importance times squared error is the square of
-  // percentile_95(). Importance of Smits, Arvo and Salesin 1992, with views in place of one picture.
-  std::vector<double> importance() const;
+  // Returns how much each side counts, [index in Views::sides]: the sum over views of u (fraction of the
+  // view). u emphasises the worst views: weight times the fourth power of the view's error, capped beyond the
+  // 95th percentile at the value there; scaled so that the sum over sides of importance times squared error
+  // is the square of percentile_95(). Importance of Smits, Arvo and Salesin 1992, with views in place of one
+  // picture.
+  std::vector<Attention> attention() const;
 
  private:
   std::vector<double> errors(std::span<const float> squared_error) const;

@@ -74,11 +74,26 @@ TEST(SeenError, importance_times_squared_errors_adds_up_to_its_square) {
   const auto views = views_of({{0, 1}, {1, 2}, {2, 2}}, 3);
   const SeenLight light{{1.0f, 2.0f, 0.5f}, {1e-4f, 4e-4f, 1e-4f}, 0.0f};
   const SeenError error(views, light);
-  const auto importance = error.importance();
+  const auto attention = error.attention();
+  const auto importance = [&](std::size_t s) {
+    return attention[s].importance(static_cast<double>(light.radiance[s]));
+  };
   double sum = 0.0;
-  for (std::size_t s = 0; s < 3; ++s) sum += importance[s] * static_cast<double>(light.squared_error[s]);
+  for (std::size_t s = 0; s < 3; ++s) sum += importance(s) * static_cast<double>(light.squared_error[s]);
   EXPECT_NEAR(std::sqrt(sum), error.percentile_95(), 1e-9);
-  EXPECT_GT(importance[2], importance[0]) << "dim, and seen by the worst view";
+  EXPECT_GT(importance(2), importance(0)) << "dim, and seen by the worst view";
+}
+
+TEST(SeenError, attention_is_what_views_look_at_whatever_its_light) {
+  const auto views = views_of({{0, 1, 1, 1}}, 3);
+  const SeenLight light{{1.0f, 7.0f, 3.0f}, {1e-4f, 4e-4f, 1e-4f}, 0.0f};
+  const auto attention = SeenError(views, light).attention();
+  EXPECT_NEAR(attention[1].weight, 3.0 * attention[0].weight, 1e-9 * attention[1].weight);
+  const auto a = (1.0 + 3.0 * 7.0) / 4.0;
+  EXPECT_NEAR(attention[0].adaptation, 0.05 * a, 1e-9);
+  EXPECT_NEAR(attention[1].adaptation, 0.05 * a, 1e-9);
+  EXPECT_EQ(attention[2].weight, 0.0) << "no view sees it";
+  EXPECT_EQ(attention[2].importance(0.0), 0.0);
 }
 
 TEST(SeenError, light_of_a_side_is_radiance_with_its_own_emission) {
