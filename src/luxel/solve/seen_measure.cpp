@@ -49,6 +49,37 @@ class LeaveOneOut {
   Replicates direct_, gathered_;
 };
 
+// The light of single sides by an answer.
+class SidesOfAnswer {
+ public:
+  SidesOfAnswer(const PatchSet& patches, const GatherSides& sides, const Spread& answer, bool black)
+      : patches_(patches), sides_(sides), answer_(answer), black_(black) {}
+
+  SeenSide light_of(SideId side) {
+    set(here_, side);
+    if (patches_.material_of(side.patch()).is_diffuser()) set(far_, side.opposite());
+    return light_of_side(patches_, side, here_, far_, black_);
+  }
+
+ private:
+  void set(SideEstimate& estimate, SideId side) const {
+    const auto bands = patches_.band_count();
+    const auto receiver = sides_.receiver_of_side[side.index()];
+    estimate.irradiance.assign(bands, 0.0f);
+    estimate.squared_error.assign(bands, 0.0);
+    for (std::size_t b = 0; receiver != none && b < bands; ++b) {
+      estimate.irradiance[b] = answer_.mean[receiver * bands + b];
+      estimate.squared_error[b] = static_cast<double>(answer_.squared_error[receiver * bands + b]);
+    }
+  }
+
+  const PatchSet& patches_;
+  const GatherSides& sides_;
+  const Spread& answer_;
+  bool black_;
+  SideEstimate here_, far_;
+};
+
 }  // namespace
 
 SeenMeasure::SeenMeasure(const PatchSet& patches, const GatherSides& sides,
@@ -65,26 +96,12 @@ double SeenMeasure::error_of(const Spread& answer) const {
   return SeenError(views_.stating, light).percentile_95();
 }
 
-void SeenMeasure::set(SideEstimate& estimate, SideId side, const Spread& answer) const {
-  const auto bands = patches_.band_count();
-  const auto receiver = sides_.receiver_of_side[side.index()];
-  estimate.irradiance.assign(bands, 0.0f);
-  estimate.squared_error.assign(bands, 0.0);
-  for (std::size_t b = 0; receiver != none && b < bands; ++b) {
-    estimate.irradiance[b] = answer.mean[receiver * bands + b];
-    estimate.squared_error[b] = static_cast<double>(answer.squared_error[receiver * bands + b]);
-  }
-}
-
 SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const {
   SeenLight light{std::vector<float>(views.sides.size()), std::vector<float>(views.sides.size()),
                   sky_radiance(patches_)};
-  const bool black = reflects_nothing(patches_, views_.stating);
-  SideEstimate here, far;
+  SidesOfAnswer of_answer(patches_, sides_, answer, is_black());
   for (std::size_t i = 0; i < views.sides.size(); ++i) {
-    set(here, views.sides[i], answer);
-    if (is_diffuser(views.sides[i])) set(far, views.sides[i].opposite(), answer);
-    const auto side = light_of_side(patches_, views.sides[i], here, far, black);
+    const auto side = of_answer.light_of(views.sides[i]);
     light.radiance[i] = side.radiance;
     light.squared_error[i] = side.squared_error;
   }
@@ -92,14 +109,20 @@ SeenLight SeenMeasure::light_of(const Views& views, const Spread& answer) const 
 }
 
 void SeenMeasure::take(const Spread& answer, Replicates direct, Replicates gathered, const Context& context) {
-  take(answer, context);
   const auto light = light_of(views_.stating, answer);
-  estimate_uncertainty(SeenError(views_.stating, light), light, answer, direct, gathered, context);
+  const SeenError seen(views_.stating, light);
+  error_ = seen.percentile_95();
+  estimate_uncertainty(seen, light, answer, direct, gathered, context);
+  take_importance(answer, context);
 }
 
 void SeenMeasure::take(const Spread& answer, const Context& context) {
   error_ = error_of(answer);
   uncertainty_ = 0.0;
+  take_importance(answer, context);
+}
+
+void SeenMeasure::take_importance(const Spread& answer, const Context& context) {
   const auto dealing = light_of(views_.dealing, answer);
   spread_importance(SeenError(views_.dealing, dealing).attention(), answer, context);
 }
@@ -109,7 +132,7 @@ void SeenMeasure::estimate_uncertainty(const SeenError& seen, const SeenLight& l
   const auto bands = patches_.band_count();
   const auto n = direct.size();
   const auto receivers = sides_.size();
-  const bool black = reflects_nothing(patches_, views_.stating);
+  const bool black = is_black();
   // Ordered by receiver, because each process holds the replicates of a range of receivers.
   std::vector<std::uint8_t> is_seen(receivers, 0);
   const auto see = [&](SideId side) {
@@ -165,16 +188,11 @@ double SeenMeasure::area_of(std::size_t receiver) const {
 }
 
 std::vector<float> SeenMeasure::radiances(const Spread& answer, const Context& context) const {
-  const bool black = reflects_nothing(patches_, views_.stating);
+  const bool black = is_black();
   std::vector<float> result(sides_.size());
   context.for_chunks(result.size(), radiance_grain, [&](std::size_t begin, std::size_t end, int) {
-    SideEstimate here, far;
-    for (auto s = begin; s < end; ++s) {
-      const auto side = sides_.side[s];
-      set(here, side, answer);
-      if (is_diffuser(side)) set(far, side.opposite(), answer);
-      result[s] = light_of_side(patches_, side, here, far, black).radiance;
-    }
+    SidesOfAnswer of_answer(patches_, sides_, answer, black);
+    for (auto s = begin; s < end; ++s) result[s] = of_answer.light_of(sides_.side[s]).radiance;
   });
   return result;
 }
@@ -201,7 +219,8 @@ std::vector<SeenMeasure::UnitAttention> SeenMeasure::attention_of_units(
   const auto count = units_.size() - 1;
   std::vector<std::uint32_t> unit_of(sides_.size());  // [receiver]
   std::vector<UnitAttention> result(count);
-  std::vector<SeenUnit> weights(count), adaptations(count);
+  std::vector<SeenUnit> weights(count);
+  std::vector<double> radiance_of_unit(count);
   for (std::size_t u = 0; u < count; ++u) {
     double light = 0.0;
     for (auto s = units_[u]; s < units_[u + 1]; ++s) {
@@ -209,26 +228,28 @@ std::vector<SeenMeasure::UnitAttention> SeenMeasure::attention_of_units(
       weights[u].area += area_of(s);
       light += area_of(s) * static_cast<double>(radiance[s]);
     }
-    adaptations[u].area = weights[u].area;
-    result[u].radiance = light / weights[u].area;
+    radiance_of_unit[u] = light / weights[u].area;
   }
-  std::vector<double> found(count, 0.0);  // importance of what was met
+  std::vector<double> adaptations(count, 0.0);  // weight times adaptation
+  std::vector<double> found(count, 0.0);        // importance of what was met
   for (std::size_t i = 0; i < of_seen.size(); ++i) {
     const auto receiver = sides_.receiver_of_side[views_.dealing.sides[i].index()];
     if (receiver == none) continue;
     const auto u = unit_of[receiver];
     weights[u].hits += hits[i];
     weights[u].sum += of_seen[i].weight;
-    adaptations[u].sum += of_seen[i].weight * of_seen[i].adaptation;
+    adaptations[u] += of_seen[i].weight * of_seen[i].adaptation;
     found[u] += of_seen[i].importance(static_cast<double>(radiance[receiver]));
   }
-  for (std::size_t u = 0; u < count; ++u) adaptations[u].hits = weights[u].hits;
-  const auto weight = densities(weights), adaptation = densities(adaptations);
+  const auto weight = densities(weights);
+  auto weighted = weights;
+  for (std::size_t u = 0; u < count; ++u) weighted[u].sum = adaptations[u];
+  const auto adaptation = densities(weighted);
   for (std::size_t u = 0; u < count; ++u) {
     if (!(weight[u] > 0.0)) continue;
     auto& unit = result[u];
     unit.attention = {weight[u], adaptation[u] / weight[u]};
-    unit.importance = unit.attention.importance(unit.radiance);
+    unit.importance = unit.attention.importance(radiance_of_unit[u]);
     if (!(weights[u].sum > 0.0)) continue;
     const auto of_met = weight[u] * found[u] / weights[u].sum;
     const auto prior = pooling_ == Pooling::unit ? 0.0 : prior_hits;
@@ -241,7 +262,7 @@ void SeenMeasure::spread_importance(std::span<const Attention> of_seen, const Sp
                                     const Context& context) {
   const auto bands = patches_.band_count();
   const auto scale = 1.0 / squared(std::numbers::pi * static_cast<double>(bands));
-  const bool black = reflects_nothing(patches_, views_.stating);
+  const bool black = is_black();
   const auto radiance = radiances(answer, context);
   const auto units = attention_of_units(of_seen, radiance);
   importance_.assign(sides_.size(), 0.0);

@@ -62,13 +62,13 @@ class SeenMeasure {
  private:
   struct UnitAttention {
     Attention attention;      // weight per area, 1/m²
-    double radiance = 0.0;    // W/(m² sr), mean over the area
     double importance = 0.0;  // per area, of the sides that the views meet
   };
 
   bool is_diffuser(SideId side) const { return patches_.material_of(side.patch()).is_diffuser(); }
-  void set(SideEstimate& estimate, SideId side, const Spread& answer) const;
+  bool is_black() const { return reflects_nothing(patches_, views_.stating); }
   SeenLight light_of(const Views& views, const Spread& answer) const;
+  void take_importance(const Spread& answer, const Context& context);
   void estimate_uncertainty(const SeenError& seen, const SeenLight& light, const Spread& answer,
                             Replicates direct, Replicates gathered, const Context& context);
   double area_of(std::size_t receiver) const;                                        // m²

@@ -74,11 +74,13 @@ class SeenError {
   // The same percentile for other squared errors of the sides seen, at the same radiances.
   double percentile_95(std::span<const float> squared_error) const;
 
-  // Returns how much each side counts, [index in Views::sides]: the sum over views of u (fraction of the
-  // view). u emphasises the worst views: weight times the fourth power of the view's error, capped beyond the
-  // 95th percentile at the value there; scaled so that the sum over sides of importance times squared error
-  // is the square of percentile_95(). Importance of Smits, Arvo and Salesin 1992, with views in place of one
-  // picture.
+  // Returns how much each side counts, [index in Views::sides]. At its own radiance L its importance is
+  //
+  //     sum over views of u f / (L + 0.05 a)²,    u = weight min(e, e95)^4,
+  //
+  // with f the fraction of the view that the side fills, e the error of the view and e95 = percentile_95():
+  // the worst views count most. Scaled so that the sum over sides of importance times squared error is e95².
+  // Importance of Smits, Arvo and Salesin 1992, with views in place of one picture.
   std::vector<Attention> attention() const;
 
  private:
