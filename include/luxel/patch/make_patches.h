@@ -16,7 +16,7 @@ namespace luxel {
 inline constexpr float no_max_edge = 0.0f;      ///< triangles as they come
 inline constexpr float automatic_edge = -1.0f;  ///< from the scene: about PatchOptions::target_count patches
 
-/// A straight segment of the edge of a hard shadow, cast by a punctual light.
+/// A straight segment of the edge of a shadow, or of where a penumbra begins or ends.
 struct ShadowLine {
   std::uint32_t triangle = 0;   ///< that it lies on: an index into Scene::triangles
   std::array<Vec3d, 2> ends{};  ///< m, in the plane of the triangle, on it or on its boundary

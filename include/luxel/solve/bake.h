@@ -14,10 +14,11 @@ struct BakeOptions {
   SampledOptions light = {};
 };
 
-/// Cuts a scene into patches as make_patches() does, and also along the edges of the hard shadows of punctual
-/// lights (lamps/shadow_lines.h), unless options.contacts is off or there is no maximum edge. These lines add
-/// at most half of the patches to which the scene is cut, or 4000 where this is more; the lines with the most
-/// light come first. Scenes without punctual lights have the patches of make_patches(), at no cost.
+/// Cuts a scene into patches as make_patches() does, and also along the edges of shadows of punctual lights
+/// and small lamps (lamps/shadow_lines.h), unless options.contacts is off or there is no maximum edge. These
+/// lines add at most half of the patches to which the scene is cut, or 4000 where this is more, and at most
+/// 25,000 where all lamps have surfaces; the lines with the most light come first. Scenes without such lights
+/// have the patches of make_patches(), those without any light at no cost.
 ///
 /// The same bits for any number of threads. Throws what make_patches() and Tracer throw. The monitor receives
 /// the stage "patches"; after its stop the set is empty. Cost: beside that of make_patches(), a tracer of the

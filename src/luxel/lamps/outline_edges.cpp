@@ -28,7 +28,8 @@ class EdgeView {
   std::optional<OutlineEdge> outline(std::uint32_t triangle, std::size_t k) const {
     const auto& c = triangles_.corners[triangle];
     const auto i = c[k], j = c[(k + 1) % 3];
-    OutlineEdge edge{Vec3d(triangles_.vertices[i]), Vec3d(triangles_.vertices[j]), Vec3d(0.0), 0.0};
+    OutlineEdge edge{
+        .a = Vec3d(triangles_.vertices[i]), .b = Vec3d(triangles_.vertices[j]), .corners = {i, j}};
     const auto middle = 0.5 * (edge.a + edge.b);
     const auto towards = sight_of(light_, middle, Vec3d(0.0)).direction;
     const auto across = glm::cross(edge.b - edge.a, towards);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "luxel/core/bounds.h"
+#include "luxel/core/none.h"
 
 namespace luxel {
 namespace {
@@ -66,6 +67,8 @@ EdgeShadow part_of(const EdgeShadow& shadow, const Interval& interval) {
   const auto along = shadow.ends[1] - shadow.ends[0];
   part.ends = {shadow.ends[0] + interval.begin * along, shadow.ends[0] + interval.end * along};
   if (interval.end == 1.0) part.ends[1] = shadow.ends[1];
+  if (interval.begin > 0.0) part.corner[0] = none;
+  if (interval.end < 1.0) part.corner[1] = none;
   part.weight = shadow.weight * (interval.end - interval.begin);
   return part;
 }

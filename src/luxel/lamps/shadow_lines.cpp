@@ -2,15 +2,21 @@
 #include "luxel/lamps/shadow_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "luxel/core/trig.h"
+#include "luxel/lamps/lamp_bodies.h"
 #include "luxel/lamps/outer_back.h"
 #include "luxel/lamps/outline_edges.h"
+#include "luxel/lamps/shadow_corners.h"
 #include "luxel/lamps/shadow_parts.h"
 #include "luxel/lamps/shadow_receivers.h"
 #include "luxel/patch/contact_lines.h"
@@ -21,7 +27,7 @@
 namespace luxel {
 namespace {
 
-constexpr double reach_of_edge = 1e-3;     // distance of pairs of rays from a line, in max_edge
+constexpr double reach_of_edge = 1e-3;     // distance of pairs of rays from a line, in `detail`
 constexpr double reach_roundings = 256.0;  // the same, at least, in roundings of the coordinates
 // Patches that lines add. Measured: 3.0 to 3.3 per line in four scenes, where most lines are shorter than
 // max_edge. A long line crosses about 2.5 patches per max_edge, each of which becomes three.
@@ -29,8 +35,11 @@ constexpr double patches_per_line = 3.0, patches_per_edge = 5.0;
 constexpr double edges_per_line = 8.0;  // candidates that are looked at, per line that is wanted
 constexpr std::size_t edges_grain = 64, edges_per_report = 1 << 14;
 constexpr double min_lines = 64.0;
+constexpr std::size_t max_bodies = 32;        // lamps with surfaces that are looked at
+constexpr double nearest_edge = 3.0;          // to a lamp, in its radius: of others shadows are soft
+constexpr double beside_a_lamp = 1.0 / 1024;  // of its size: rays to a vertex pass the lamp at this distance
 
-// An outline edge with its light.
+// An outline edge with its light: a punctual one, or after these a lamp's body.
 struct LitEdge {
   OutlineEdge edge;
   std::uint32_t light;
@@ -46,10 +55,11 @@ class Finder {
         context_(context),
         clean_(clean_triangles_of(triangles)),
         neighbours_(clean_, triangles.vertices.size()),
-        lengths_{options.max_edge, reach()} {}
+        bodies_(find_lamp_bodies(triangles, max_bodies)),
+        lengths_{detail(options), reach(detail(options))} {}
 
   std::vector<ShadowLine> find() {
-    if (triangles_.point_lights.empty()) return {};
+    if (triangles_.point_lights.empty() && bodies_.empty()) return {};
     auto edges = outline_edges();
     split_penumbras(edges);
     auto shadows = shadows_of(edges);
@@ -69,12 +79,16 @@ class Finder {
     return result;
   }
 
-  double reach() const {
+  static double detail(const ShadowLineOptions& options) {
+    return options.detail > 0.0 ? options.detail : options.max_edge;
+  }
+
+  double reach(double detail) const {
     double largest = 0.0;
     for (const auto& p : triangles_.vertices)
       for (int axis = 0; axis < 3; ++axis)
         largest = std::max(largest, std::abs(static_cast<double>(p[axis])));
-    return std::max(reach_of_edge * options_.max_edge, reach_roundings * 0x1p-24 * largest);
+    return std::max(reach_of_edge * detail, reach_roundings * 0x1p-24 * largest);
   }
 
   std::size_t max_edges() const {
@@ -95,42 +109,96 @@ class Finder {
   std::vector<LitEdge> outline_edges() const {
     std::vector<LitEdge> edges;
     const auto weight = [](const LitEdge& e) { return e.edge.weight; };
-    for (std::uint32_t light = 0; light < triangles_.point_lights.size(); ++light) {
-      if (has_opening(triangles_.point_lights[light].light)) continue;  // its shadows are soft
-      for (const auto& edge :
-           find_outline_edges(triangles_, neighbours_, triangles_.point_lights[light], context_))
-        edges.push_back({edge, light});
+    const auto add = [&](const BandPointLight& light, std::size_t number, double radius = 0.0) {
+      const Vec3d centre(light.light.position);
+      for (const auto& edge : find_outline_edges(triangles_, neighbours_, light, context_))
+        if (glm::distance(0.5 * (edge.a + edge.b), centre) >= nearest_edge * radius)
+          edges.push_back({edge, static_cast<std::uint32_t>(number)});
       if (edges.size() > 2 * max_edges()) keep_first(edges, max_edges(), weight);
-    }
+    };
+    const auto& lights = triangles_.point_lights;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+      if (!has_opening(lights[i].light)) add(lights[i], i);  // others have soft shadows
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      add(bodies_[i].centre, lights.size() + i, bodies_[i].radius);
     keep_first(edges, max_edges(), weight);
     return edges;
   }
 
-  // The disc of a sun gives each edge two lines, where its penumbra begins and ends: those of suns without a
-  // disc, turned about the edge by its angular radius both ways.
+  bool is_body(const LitEdge& e) const { return e.light >= triangles_.point_lights.size(); }
+  const LampBody& body_of(const LitEdge& e) const {
+    return bodies_[e.light - triangles_.point_lights.size()];
+  }
+
+  // The disc of a sun, and the body of a lamp, give each edge two lines, where the penumbra begins and ends.
   void split_penumbras(std::vector<LitEdge>& edges) {
-    const auto is_soft = [&](const LitEdge& e) { return is_extended(lights().point_lights[e.light].light); };
+    const auto is_soft = [&](const LitEdge& e) {
+      return is_body(e) || is_extended(triangles_.point_lights[e.light].light);
+    };
     if (std::none_of(edges.begin(), edges.end(), is_soft)) return;
     with_rims_ = triangles_;
     std::vector<LitEdge> split;
     for (const auto& e : edges) {
-      if (!is_extended(triangles_.point_lights[e.light].light)) {
+      if (!is_soft(e)) {
         split.push_back(e);
-        continue;
-      }
-      for (const double sign : {-1.0, 1.0}) {
-        auto rim = triangles_.point_lights[e.light];
-        const auto axis = glm::normalize(e.edge.b - e.edge.a);
-        const auto turn = sin_cos(sign * static_cast<double>(rim.light.angular_radius));
-        const Vec3d way(rim.light.direction);
-        const auto along = glm::dot(axis, way) * axis;
-        rim.light.direction = Vec3(along + turn.cosine * (way - along) + turn.sine * glm::cross(axis, way));
-        rim.light.angular_radius = 0.0f;
-        split.push_back({e.edge, static_cast<std::uint32_t>(with_rims_->point_lights.size())});
-        with_rims_->point_lights.push_back(std::move(rim));
+      } else if (is_body(e)) {
+        for (const auto& rim : rims_of_body(e)) split.push_back(rim);
+      } else {
+        for (const double sign : {-1.0, 1.0}) split.push_back({e.edge, rim_of_sun(e, sign)});
       }
     }
     edges = std::move(split);
+  }
+
+  std::uint32_t add_rim(BandPointLight rim) {
+    with_rims_->point_lights.push_back(std::move(rim));
+    return static_cast<std::uint32_t>(with_rims_->point_lights.size() - 1);
+  }
+
+  // A sun without a disc, turned about the edge by the angular radius.
+  std::uint32_t rim_of_sun(const LitEdge& e, double sign) {
+    auto rim = triangles_.point_lights[e.light];
+    const auto axis = glm::normalize(e.edge.b - e.edge.a);
+    const auto turn = sin_cos(sign * static_cast<double>(rim.light.angular_radius));
+    const Vec3d way(rim.light.direction);
+    const auto along = glm::dot(axis, way) * axis;
+    rim.light.direction = Vec3(along + turn.cosine * (way - along) + turn.sine * glm::cross(axis, way));
+    rim.light.angular_radius = 0.0f;
+    return add_rim(std::move(rim));
+  }
+
+  // Points at the two vertices of a lamp that are the first and the last to be seen past the edge.
+  std::array<LitEdge, 2> rims_of_body(const LitEdge& e) {
+    const auto& body = body_of(e);
+    const auto axis = glm::normalize(e.edge.b - e.edge.a);
+    const Vec3d centre(body.centre.light.position);
+    const auto middle = 0.5 * (e.edge.a + e.edge.b);
+    const auto towards = glm::cross(axis, e.edge.outward);
+    const auto sign = glm::dot(towards, centre - middle) > 0.0 ? 1.0 : -1.0;
+    const auto angle = [&](const Vec3d& p) {
+      return std::atan2(glm::dot(p - middle, e.edge.outward), sign * glm::dot(p - middle, towards));
+    };
+    std::vector<double> angles;
+    for (const auto& p : body.vertices) angles.push_back(angle(p));
+    const auto [first, last] = std::minmax_element(angles.begin(), angles.end());
+    std::array<LitEdge, 2> result{e, e};
+    for (const auto i : {0u, 1u}) {
+      const auto number = static_cast<std::size_t>((i == 0 ? first : last) - angles.begin());
+      const auto& vertex = body.vertices[number];
+      const auto turn = sin_cos(angles[number]);
+      auto& edge = result[i].edge;
+      edge.outward = turn.cosine * e.edge.outward - turn.sine * sign * towards;
+      edge.penumbra = 2 * (e.light - static_cast<std::uint32_t>(triangles_.point_lights.size())) + i;
+      edge.spread = *last - *first;
+      const auto [rim, is_new] = rims_.try_emplace({e.light, number}, 0u);
+      if (is_new) {
+        auto light = body.centre;
+        light.light.position = Vec3(vertex + beside_a_lamp * (vertex - centre));
+        rim->second = add_rim(std::move(light));
+      }
+      result[i].light = rim->second;
+    }
+    return result;
   }
 
   // The triangles with the lights that edges name.
@@ -176,6 +244,8 @@ class Finder {
     });
     std::vector<EdgeShadow> result;
     for (const auto& some : parts) result.insert(result.end(), some.begin(), some.end());
+    const auto corners = corner_lines(triangles_, result, lengths_.reach);
+    result.insert(result.end(), corners.begin(), corners.end());
     return result;
   }
 
@@ -205,12 +275,14 @@ class Finder {
   }
 
   const PatchSet& triangles_;
-  std::optional<PatchSet> with_rims_;  // the same, where suns have a disc: with their rims as lights
+  std::optional<PatchSet> with_rims_;  // the same, where lights have penumbras: with their rims as lights
+  std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> rims_;  // of a lamp's vertices, as lights
   const Tracer& tracer_;
   const ShadowLineOptions& options_;
   const Context& context_;
   std::vector<CleanTriangle> clean_;
   VertexTriangles neighbours_;
+  std::vector<LampBody> bodies_;
   ShadowReceivers::Lengths lengths_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double from_end = 2.0;         // first and last pair of a part, in reach from its ends
 constexpr double shortest_tested = 6.0;  // in reach: a shorter part is as its neighbours are
-constexpr double pairs_per_edge = 4.0;   // per max_edge of a part's length
+constexpr double pairs_per_edge = 4.0;   // per `detail` of a part's length
 constexpr double max_pairs = 24.0;       // per part
 constexpr int bisections = 12;
 constexpr double shortest_part = 4.0;  // in reach
@@ -112,7 +112,7 @@ class Tester {
   template <typename Add>
   void add_true(double begin, double end, const Add& add) const {
     const auto pairs =
-        std::clamp(std::ceil(pairs_per_edge * (end - begin) * length_ / lengths_.max_edge), 3.0, max_pairs);
+        std::clamp(std::ceil(pairs_per_edge * (end - begin) * length_ / lengths_.detail), 3.0, max_pairs);
     const auto inset = from_end * lengths_.reach / length_;
     const auto at = [&](double i) { return begin + inset + (end - begin - 2.0 * inset) * i / (pairs - 1.0); };
     bool was = test_.divides(at(0.0));

@@ -27,6 +27,10 @@ ShadowProjection::ShadowProjection(const PointLight& light, const FlatTriangle& 
   light_height_ = std::fabs(above);
 }
 
+bool ShadowProjection::is_between(const Vec3d& point, double slack) const {
+  return height(point) > slack && height(point) < below_lamp * light_height_;
+}
+
 std::optional<std::array<Vec3d, 2>> ShadowProjection::shadow(const OutlineEdge& edge, double slack) const {
   auto from = height(edge.a), to = height(edge.b);
   if (std::fabs(from) <= slack) from = 0.0;

@@ -23,6 +23,9 @@ class ShadowProjection {
   bool from_behind() const { return side_ < 0.0; }
   Vec3d lit_side() const { return side_ * plane_.normal; }
 
+  // Returns whether a point is between the light and the plane. slack: m, of points on the plane.
+  bool is_between(const Vec3d& point, double slack) const;
+
   // The shadow of the part of an edge that is between the light and the plane. slack: m, of points on the
   // plane. Nothing where no part is.
   std::optional<std::array<Vec3d, 2>> shadow(const OutlineEdge& edge, double slack) const;

@@ -15,11 +15,12 @@ namespace luxel {
 namespace {
 
 constexpr std::size_t max_rays = 64;        // per edge that look for receivers, and as many shadow rays
-constexpr double rays_per_edge = 12.0;      // per max_edge of the edge's length
+constexpr double rays_per_edge = 12.0;      // per `detail` of the edge's length
 constexpr std::size_t max_receivers = 256;  // per edge
-constexpr double narrowest = 0.05;          // height of a receiver, in max_edge
-constexpr double shortest = 0.05;           // shadow of a whole edge, in max_edge
+constexpr double narrowest = 0.05;          // height of a receiver, in `detail`
+constexpr double shortest = 0.05;           // shadow of a whole edge, in `detail`
 constexpr double move_reach = 2.0;          // distance, in `reach`, from which lines move to edges
+constexpr double widest_penumbra = 0.25;    // in `detail`
 constexpr double flat_cosine = 0.999;       // of the normals of triangles that continue each other
 
 }  // namespace
@@ -48,7 +49,7 @@ void ShadowReceivers::add_shadows(std::uint32_t light, const OutlineEdge& edge,
 std::vector<std::uint32_t> ShadowReceivers::hit_beyond(const PointLight& light,
                                                        const OutlineEdge& edge) const {
   const auto length = glm::distance(edge.a, edge.b);
-  const auto wanted = std::ceil(rays_per_edge * length / lengths_.max_edge);
+  const auto wanted = std::ceil(rays_per_edge * length / lengths_.detail);
   const auto rays = static_cast<std::size_t>(std::clamp(wanted, 3.0, static_cast<double>(max_rays)));
   std::vector<std::uint32_t> found;
   for (std::size_t i = 0; i < rays; ++i) {
@@ -74,13 +75,13 @@ bool ShadowReceivers::add_shadow(std::uint32_t triangle, std::uint32_t light, co
   const auto longest = std::max({glm::distance(plane.corner[0], plane.corner[1]),
                                  glm::distance(plane.corner[1], plane.corner[2]),
                                  glm::distance(plane.corner[2], plane.corner[0])});
-  if (2.0 * static_cast<double>(triangles_.area[triangle]) < narrowest * lengths_.max_edge * longest)
+  if (2.0 * static_cast<double>(triangles_.area[triangle]) < narrowest * lengths_.detail * longest)
     return false;
   const auto slack = slack_roundings * coordinate_rounding(points);
   const auto whole = projection.shadow(edge, slack);
   if (!whole) return false;
   const auto& [p, q] = *whole;
-  if (glm::distance(p, q) < shortest * lengths_.max_edge) return false;
+  if (glm::distance(p, q) < shortest * lengths_.detail) return false;
   const auto interval = interval_on(plane, p, q, slack);
   if (!interval) return false;
   EdgeShadow shadow;
@@ -89,10 +90,22 @@ bool ShadowReceivers::add_shadow(std::uint32_t triangle, std::uint32_t light, co
   shadow.ends = {p + interval->begin * (q - p), p + interval->end * (q - p)};
   shadow.outward = edge.outward;
   shadow.lit_side = projection.lit_side();
+  shadow.penumbra = edge.penumbra;
+  if (interval->begin == 0.0 && projection.is_between(edge.a, slack)) shadow.corner[0] = edge.corners[0];
+  if (interval->end == 1.0 && projection.is_between(edge.b, slack)) shadow.corner[1] = edge.corners[1];
   if (!move_to_edge(triangle, shadow)) return true;
+  if (is_too_soft(shadow, edge)) return true;
   shadow.weight = glm::distance(shadow.ends[0], shadow.ends[1]) * irradiance_at(light, shadow);
   if (shadow.weight > 0.0) shadows.push_back(shadow);
   return true;
+}
+
+// Patches follow a wide penumbra without lines.
+bool ShadowReceivers::is_too_soft(const EdgeShadow& shadow, const OutlineEdge& edge) const {
+  const auto middle = 0.5 * (shadow.ends[0] + shadow.ends[1]);
+  const auto along = edge.b - edge.a;
+  const auto t = std::clamp(glm::dot(middle - edge.a, along) / glm::dot(along, along), 0.0, 1.0);
+  return edge.spread * glm::distance(middle, edge.a + t * along) > widest_penumbra * lengths_.detail;
 }
 
 double ShadowReceivers::irradiance_at(std::uint32_t light, const EdgeShadow& shadow) const {

@@ -16,21 +16,24 @@ namespace luxel {
 
 // The shadow of an edge on one triangle, if nothing else stood between.
 struct EdgeShadow {
-  std::uint32_t triangle = 0;   // receiver: an index into PatchSet::corners
-  std::uint32_t light = 0;      // an index into PatchSet::point_lights
-  std::array<Vec3d, 2> ends{};  // m, in the plane of the triangle, on it or along its edge
-  Vec3d outward{0.0};           // OutlineEdge::outward: light is on this side of the line
-  Vec3d lit_side{0.0};          // unit normal of the triangle, where the light is
-  bool on_edge = false;         // it was moved to an edge of the triangle that is nearer than `reach`
-  double weight = 0.0;          // length (m) times irradiance (W/m², of the bands together)
+  std::uint32_t triangle = 0;     // receiver: an index into PatchSet::corners
+  std::uint32_t light = 0;        // an index into PatchSet::point_lights
+  std::array<Vec3d, 2> ends{};    // m, in the plane of the triangle, on it or along its edge
+  Vec3d outward{0.0};             // OutlineEdge::outward: light is on this side of the line
+  Vec3d lit_side{0.0};            // unit normal of the triangle, where the light is
+  bool on_edge = false;           // it was moved to an edge of the triangle that is nearer than `reach`
+  std::uint32_t penumbra = none;  // OutlineEdge::penumbra
+  // Vertices of which the ends are the shadows; none: the line ends before.
+  std::array<std::uint32_t, 2> corner{none, none};
+  double weight = 0.0;  // length (m) times irradiance (W/m², of the bands together)
 };
 
 // Finds the triangles that may receive the shadow of an edge, and projects the edge onto them.
 class ShadowReceivers {
  public:
   struct Lengths {
-    double max_edge;  // m, of patches: distance of the rays along a shadow
-    double reach;     // m, small: at this distance beside an edge there is light
+    double detail;  // m, of what matters: distance of the rays along a shadow
+    double reach;   // m, small: at this distance beside an edge there is light
   };
 
   // Keeps references. Each triangle of `triangles` is one of the tracer's.
@@ -39,7 +42,7 @@ class ShadowReceivers {
 
   // Appends the shadows of an edge. Rays start beside the edge, where it is lit, and go on from the light to
   // the first surface; from there the shadow is followed to the neighbours of each triangle. Triangles of
-  // less height than a twentieth of max_edge are no receivers. Thread-safe. Cost: at most 128 rays and 256
+  // less height than a twentieth of `detail` are no receivers. Thread-safe. Cost: at most 128 rays and 256
   // triangles.
   void add_shadows(std::uint32_t light, const OutlineEdge& edge, std::vector<EdgeShadow>& shadows) const;
 
@@ -48,6 +51,7 @@ class ShadowReceivers {
   bool add_shadow(std::uint32_t triangle, std::uint32_t light, const OutlineEdge& edge,
                   std::vector<EdgeShadow>& shadows) const;
   bool move_to_edge(std::uint32_t triangle, EdgeShadow& shadow) const;
+  bool is_too_soft(const EdgeShadow& shadow, const OutlineEdge& edge) const;
   bool goes_on(std::uint32_t triangle, std::size_t k) const;
   double irradiance_at(std::uint32_t light, const EdgeShadow& shadow) const;
 

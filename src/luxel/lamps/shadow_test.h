@@ -11,7 +11,7 @@
 
 namespace luxel {
 
-// Tests by pairs of shadow rays where along a line the light of a punctual light ends.
+// Tests by pairs of shadow rays where along a line the light of a point or a sun ends.
 class ShadowTest {
  public:
   // Keeps references. reach: m, distance of both points of a pair from the line.

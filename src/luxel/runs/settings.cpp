@@ -120,7 +120,7 @@ void SceneSettings::declare(OptionSet& set, const char* what_it_takes) {
 void SceneSettings::declare_contacts(OptionSet& set) {
   set.add_switch("contacts", patches.contacts,
                  "cut patches where surfaces touch or intersect, so that no light leaks there, and along "
-                 "hard shadows of suns and other punctual lights");
+                 "edges of shadows of suns, other punctual lights and small lamps");
   set.add(
       {"max-contacts", "count",
        "maximum number of lines, and of patches added, where surfaces touch or intersect; more is refused; "

@@ -11,13 +11,27 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t min_shadow_patches = 4000;  // that lines may add to any scene
+// Patches that lines of shadows may add: half of those of the scene, but at least this many, and no more than
+// the second where all lights have surfaces.
+constexpr std::size_t min_shadow_patches = 4000, max_soft_patches = 20'000;
+// What matters of shadows, over the automatic edge of patches, which are refined later.
+constexpr double automatic_detail = 0.25;
+
+std::size_t max_shadow_patches(const Scene& scene, std::size_t patches) {
+  const auto most = std::max(min_shadow_patches, patches / 2);
+  return scene.point_lights.empty() ? std::min(most, max_soft_patches) : most;
+}
+
+bool has_shadow_edges(const Scene& scene) {
+  return !scene.point_lights.empty() || std::any_of(scene.materials.begin(), scene.materials.end(),
+                                                    [](const Material& m) { return m.is_lamp(); });
+}
 
 }  // namespace
 
 PatchSet make_patches_for_light(const Scene& scene, PatchOptions options, const Context& context) {
   const bool is_automatic = options.max_edge == automatic_edge;
-  if (scene.point_lights.empty() || !options.contacts || !(is_automatic || options.max_edge > 0.0f))
+  if (!has_shadow_edges(scene) || !options.contacts || !(is_automatic || options.max_edge > 0.0f))
     return make_patches(scene, options, context);
   const auto triangles =
       make_patches(scene, {.max_edge = no_max_edge, .contacts = false}, context.with_log({}));
@@ -25,12 +39,14 @@ PatchSet make_patches_for_light(const Scene& scene, PatchOptions options, const 
   const auto max_edge = is_automatic ? automatic_max_edge(scene, options.target_count) : options.max_edge;
   const auto patches = triangles.size() + (is_automatic ? options.target_count : 0);
   const Tracer tracer(triangles, context);
-  auto lines = find_shadow_lines(triangles, tracer,
-                                 {.max_edge = static_cast<double>(max_edge),
-                                  .contact_gap = static_cast<double>(options.contact_gap),
-                                  .max_contacts = contact_budget(options, scene.triangles.size()),
-                                  .max_patches = std::max(min_shadow_patches, patches / 2)},
-                                 context);
+  auto lines =
+      find_shadow_lines(triangles, tracer,
+                        {.max_edge = static_cast<double>(max_edge),
+                         .detail = (is_automatic ? automatic_detail : 1.0) * static_cast<double>(max_edge),
+                         .contact_gap = static_cast<double>(options.contact_gap),
+                         .max_contacts = contact_budget(options, scene.triangles.size()),
+                         .max_patches = max_shadow_patches(scene, patches)},
+                        context);
   options.shadow_lines.insert(options.shadow_lines.end(), lines.begin(), lines.end());
   return make_patches(scene, options, context);
 }

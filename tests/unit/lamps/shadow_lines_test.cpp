@@ -94,6 +94,41 @@ TEST(ShadowLines, a_spot_has_no_lines_outside_of_its_cone) {
   expect_boundary(lines_of(scene), {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
 }
 
+// A square lamp of 4 cm above the centre of a screen of 1 m, half way to the floor: each edge of the screen
+// has a line where the whole lamp is hidden, and one where none of it is.
+TEST(ShadowLines, a_small_lamp_has_lines_where_its_penumbra_begins_and_ends) {
+  auto builder = screen_above_floor({0.0f, 0.0f, 1.0f});
+  builder.material("lamp", 0.0f, 1000.0f);
+  builder.quad({-0.02f, -0.02f, 2}, {-0.02f, 0.02f, 2}, {0.02f, 0.02f, 2}, {0.02f, -0.02f, 2});
+  const auto lines = lines_of(builder.scene());
+  double found = 0.0;
+  for (const auto& line : lines) {
+    EXPECT_LT(line.triangle, 2u);  // the floor
+    found += length(line);
+    for (const auto& end : line.ends) {
+      const auto x = std::abs(end.x), y = std::abs(end.y);
+      const bool is_on_side = std::abs(std::abs(std::max(x, y) - 1.0) - 0.02) < 1e-4;
+      EXPECT_TRUE(is_on_side || std::abs(x + y - 2.0) < 1e-4) << "on a side, or between two at a corner";
+      // The ends of lines meet, also where different corners of the lamp make them.
+      EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                              [&](const ShadowLine& other) {
+                                return &other != &line &&
+                                       distance_to(end, other.ends[0], other.ends[1]) < 1e-4;
+                              }))
+          << end.x << ' ' << end.y;
+    }
+  }
+  EXPECT_GT(found, 8 * 1.999) << "two lines of 2 m on each side";
+  EXPECT_LT(found, 8 * 2.0 + 8 * 0.06) << "and short ones at their ends";
+}
+
+TEST(ShadowLines, a_large_lamp_has_a_soft_shadow_without_lines) {
+  auto builder = screen_above_floor({0.0f, 0.0f, 1.0f});
+  builder.material("lamp", 0.0f, 1000.0f);
+  builder.quad({-0.2f, -0.2f, 2}, {-0.2f, 0.2f, 2}, {0.2f, 0.2f, 2}, {0.2f, -0.2f, 2});
+  EXPECT_TRUE(lines_of(builder.scene()).empty());
+}
+
 TEST(ShadowLines, only_the_outer_boundary_of_two_shadows_that_overlap_is_found) {
   auto builder = screen_above_floor({0.0f, 0.0f, 1.0f});
   builder.quad({0.0f, 0.0f, 1.5f}, {1.0f, 0.0f, 1.5f}, {1.0f, 1.0f, 1.5f}, {0.0f, 1.0f, 1.5f});
@@ -139,7 +174,7 @@ TEST(ShadowLines, a_box_on_the_floor_has_a_shadow_that_starts_at_its_corners) {
   EXPECT_LT(nearest, 1e-6);
 }
 
-TEST(ShadowLines, a_scene_without_punctual_lights_has_the_patches_of_make_patches) {
+TEST(ShadowLines, a_scene_without_lamps_has_the_patches_of_make_patches) {
   const auto scene = screen_above_floor({0.3f, 0.1f, 1.0f}).scene();
   EXPECT_TRUE(lines_of(scene).empty());
   const auto patches = make_patches(scene, {.max_edge = max_edge});
