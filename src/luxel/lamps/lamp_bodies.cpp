@@ -14,6 +14,7 @@ namespace luxel {
 namespace {
 
 constexpr double largest = 0.25;  // diagonal of a body over that of the scene
+constexpr double dimmest = 0.02;  // flux of a body over that of the brightest small one
 
 struct Body {
   std::vector<std::uint32_t> triangles;
@@ -90,10 +91,12 @@ std::vector<LampBody> find_lamp_bodies(const PatchSet& triangles, std::size_t mo
   std::stable_sort(bodies.begin(), bodies.end(),
                    [](const Body& a, const Body& b) { return a.whole_flux > b.whole_flux; });
   std::vector<LampBody> lamps;
+  double least = 0.0;  // W
   for (const auto& body : bodies) {
-    if (lamps.size() == most) break;
-    if (body.whole_flux > 0.0 && diagonal(triangles, body.triangles) < limit)
-      lamps.push_back(as_lamp(triangles, body));
+    if (lamps.size() == most || !(body.whole_flux > least)) break;
+    if (!(diagonal(triangles, body.triangles) < limit)) continue;
+    if (lamps.empty()) least = dimmest * body.whole_flux;
+    lamps.push_back(as_lamp(triangles, body));
   }
   return lamps;
 }

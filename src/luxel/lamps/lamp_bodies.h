@@ -16,9 +16,9 @@ struct LampBody {
   double radius = 0.0;          // m, of a ball around the centre
 };
 
-// Finds the lamps that may have shadows with visible edges: those smaller than a tenth of the scene's
-// diagonal, at most `most` of them, those of the greatest flux first. triangles: see find_shadow_lines().
-// Cost: linear.
+// Finds the lamps that may have shadows with visible edges: those smaller than a quarter of the scene's
+// diagonal, at most `most` of them, those of the greatest flux first, and none of less than a fiftieth of the
+// first. triangles: see find_shadow_lines(). Cost: linear.
 std::vector<LampBody> find_lamp_bodies(const PatchSet& triangles, std::size_t most);
 
 }  // namespace luxel

@@ -26,7 +26,7 @@ struct ShadowLineOptions {
 // two for each edge, where its penumbra begins and ends: as seen from the two vertices of the lamp that come
 // first and last into sight past the edge. Positions are exact to rounding. Left out are penumbras wider than
 // a quarter of `detail`, which patches follow by themselves, edges nearer to a lamp than three times its
-// radius, lamps beyond the 32 brightest, shadows of edges shorter than a twentieth of `detail`, those on
+// radius, lamps beyond find_lamp_bodies(), shadows of edges shorter than a twentieth of `detail`, those on
 // triangles of less height, and cones of spots, which fade.
 //
 // triangles: the scene as make_patches() gives it with no_max_edge and without contacts, one patch per

@@ -18,13 +18,14 @@ PatchSet lamps_over_a_floor() {
   builder.material("floor", 0.5f, 0.0f).quad({-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0});
   builder.material("dim", 0.0f, 10.0f).quad({2, 0, 2}, {2, 1, 2}, {3, 1, 2}, {3, 0, 2});
   builder.material("bright", 0.0f, 100.0f).quad({0, 0, 2}, {0, 1, 2}, {1, 1, 2}, {1, 0, 2});
+  builder.material("faint", 0.0f, 1.0f).quad({-3, 0, 2}, {-3, 1, 2}, {-2, 1, 2}, {-2, 0, 2});
   builder.material("wide", 0.0f, 100.0f).quad({-4, -4, 3}, {-4, 0, 3}, {4, 0, 3}, {4, -4, 3});
   return make_patches(builder.scene(), {.max_edge = no_max_edge, .contacts = false});
 }
 
 TEST(LampBodies, are_the_small_lamps_by_flux) {
   const auto bodies = find_lamp_bodies(lamps_over_a_floor(), 10);
-  ASSERT_EQ(bodies.size(), 2u) << "not the one that is as large as the room";
+  ASSERT_EQ(bodies.size(), 2u) << "neither the one that is as large as the room, nor the faint one";
   EXPECT_NEAR(glm::distance(bodies[0].centre.light.position, Vec3(0.5f, 0.5f, 2.0f)), 0.0f, 1e-6f);
   EXPECT_NEAR(glm::distance(bodies[1].centre.light.position, Vec3(2.5f, 0.5f, 2.0f)), 0.0f, 1e-6f);
   for (const auto& body : bodies) {
