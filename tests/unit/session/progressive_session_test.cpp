@@ -12,6 +12,7 @@
 #include "luxel/session/diagnose.h"
 #include "luxel/solution/sample_state.h"
 #include "luxel/solution/solution_file.h"
+#include "luxel/solve/bake.h"
 #include "luxel/solve/relight.h"
 
 #include "support/cornell_session.h"
@@ -39,7 +40,7 @@ TEST(ProgressiveSession, ends_with_the_bytes_of_a_bake) {
 
   const Context context(1);
   const auto scene = load_scene(cornell);
-  auto patches = make_patches(scene, settings.patches);
+  auto patches = make_patches_for_light(scene, settings.patches);
   set_light_groups(scene, {}, patches);
   const Tracer tracer(patches, context);
   Solution solution;
