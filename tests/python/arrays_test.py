@@ -95,11 +95,19 @@ def test_mean_of_a_surface_is_that_of_its_patches(box):
         assert measure.min.value <= measure.mean.value <= measure.max.value
 
 
-def test_interval_of_a_mean_covers_a_finer_answer(box, box_file):
-    fine = luxel.bake(box_file, error=0.01, max_edge=0.3, seed=99, mesh_error="none")
-    names = [m.name for m in box.measure() if m.mean.value > 0.0]
-    covered = sum(box.mean(name).low <= fine.mean(name).value <= box.mean(name).high for name in names)
-    assert covered >= len(names) - 1  # of 95 % intervals of four to six surfaces
+def test_intervals_of_means_cover_a_finer_answer(box_file):
+    def baked(seed, error):
+        return luxel.bake(box_file, error=error, max_edge=0.3, seed=seed, mesh_error="none", store_transport=True)
+
+    fine = baked(99, 0.01)
+    names = [m.name for m in fine.measure() if m.mean.value > 0.0]
+    seeds = range(1, 25)
+    covered = 0
+    for seed in seeds:
+        rough = baked(seed, 0.1)
+        covered += sum(rough.mean(name).low <= fine.mean(name).value <= rough.mean(name).high for name in names)
+    # Of 95 % intervals. If all surfaces of a seed missed together, chance would give less once in a thousand times.
+    assert covered >= 0.75 * len(names) * len(seeds)
 
 
 def test_mean_takes_indices_and_masks(box):
