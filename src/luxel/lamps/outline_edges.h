@@ -20,8 +20,8 @@ struct OutlineEdge {
   Vec3d a{0.0}, b{0.0};  // m
   Vec3d outward{0.0};    // unit, at right angles to the edge and to the light: away from the surface
   std::array<std::uint32_t, 2> corners{};  // vertices of a and b
-  std::uint32_t penumbra =
-      none;             // a number of the lamp, and of where its penumbra begins or ends; none: hard
+  // A number of the lamp, and of where its penumbra begins or ends; none: the shadow is hard.
+  std::uint32_t penumbra = none;
   double spread = 0.0;  // rad, about the edge, by which the light spreads: its penumbra; 0: hard
   double weight = 0.0;  // length across the light (m) times irradiance at normal incidence (W/m², of the
                         // bands together)
