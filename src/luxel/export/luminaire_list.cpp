@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "luxel/core/error.h"
-#include "luxel/lighting/lamp_surfaces.h"
+#include "luxel/patch/lamp_surfaces.h"
 
 namespace luxel {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "luxel/core/bounds.h"
-#include "luxel/core/disjoint_sets.h"
+#include "luxel/patch/lamp_surfaces.h"
 
 namespace luxel {
 namespace {
@@ -22,32 +22,16 @@ struct Body {
   double whole_flux = 0.0;
 };
 
-// Emissive triangles that share vertices, in the order of their first triangles.
-std::vector<Body> bodies_of(const PatchSet& triangles) {
-  DisjointSets sets(triangles.vertices.size());
-  const auto is_lamp = [&](std::size_t t) { return triangles.material_of(t).is_lamp(); };
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto& c = triangles.corners[t];
-    if (!is_lamp(t)) continue;
-    sets.join(c[0], c[1]);
-    sets.join(c[1], c[2]);
-  }
-  std::map<std::uint32_t, std::size_t> number;  // of the body, by its lowest vertex
-  std::vector<Body> bodies;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (!is_lamp(t)) continue;
-    const auto [entry, is_new] = number.try_emplace(sets.of(triangles.corners[t][0]), bodies.size());
-    if (is_new) bodies.push_back({{}, std::vector<double>(triangles.band_count(), 0.0)});
-    auto& body = bodies[entry->second];
-    body.triangles.push_back(t);
+Body body_of(const PatchSet& triangles, LampSurface surface) {
+  Body body{std::move(surface.patches), std::vector<double>(triangles.band_count(), 0.0)};
+  for (const auto t : body.triangles)
     for (std::size_t b = 0; b < body.flux.size(); ++b) {
       const auto flux =
           static_cast<double>(triangles.area[t]) * static_cast<double>(triangles.emittance(t, b));
       body.flux[b] += flux;
       body.whole_flux += flux;
     }
-  }
-  return bodies;
+  return body;
 }
 
 LampBody as_lamp(const PatchSet& triangles, const Body& body) {
@@ -83,7 +67,9 @@ double diagonal(const PatchSet& triangles, const std::vector<std::uint32_t>& som
 }  // namespace
 
 std::vector<LampBody> find_lamp_bodies(const PatchSet& triangles, std::size_t most) {
-  auto bodies = bodies_of(triangles);
+  std::vector<Body> bodies;
+  for (auto& surface : find_lamp_surfaces(triangles))
+    bodies.push_back(body_of(triangles, std::move(surface)));
   if (bodies.empty()) return {};
   std::vector<std::uint32_t> all(triangles.size());
   std::iota(all.begin(), all.end(), 0u);

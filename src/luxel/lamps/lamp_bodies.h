@@ -9,7 +9,7 @@
 
 namespace luxel {
 
-// A lamp as a body: emissive triangles that share vertices.
+// A lamp as a body: the emissive triangles of a LampSurface.
 struct LampBody {
   BandPointLight centre;        // a point light of its flux, in the middle of its emission
   std::vector<Vec3d> vertices;  // m

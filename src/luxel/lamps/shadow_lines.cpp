@@ -126,8 +126,8 @@ class Finder {
   }
 
   bool is_body(const LitEdge& e) const { return e.light >= triangles_.point_lights.size(); }
-  const LampBody& body_of(const LitEdge& e) const {
-    return bodies_[e.light - triangles_.point_lights.size()];
+  std::uint32_t body_of(const LitEdge& e) const {
+    return e.light - static_cast<std::uint32_t>(triangles_.point_lights.size());
   }
 
   // The disc of a sun, and the body of a lamp, give each edge two lines, where the penumbra begins and ends.
@@ -169,7 +169,7 @@ class Finder {
 
   // Points at the two vertices of a lamp that are the first and the last to be seen past the edge.
   std::array<LitEdge, 2> rims_of_body(const LitEdge& e) {
-    const auto& body = body_of(e);
+    const auto& body = bodies_[body_of(e)];
     const auto axis = glm::normalize(e.edge.b - e.edge.a);
     const Vec3d centre(body.centre.light.position);
     const auto middle = 0.5 * (e.edge.a + e.edge.b);
@@ -188,7 +188,7 @@ class Finder {
       const auto turn = sin_cos(angles[number]);
       auto& edge = result[i].edge;
       edge.outward = turn.cosine * e.edge.outward - turn.sine * sign * towards;
-      edge.penumbra = 2 * (e.light - static_cast<std::uint32_t>(triangles_.point_lights.size())) + i;
+      edge.penumbra = 2 * body_of(e) + i;
       edge.spread = *last - *first;
       const auto [rim, is_new] = rims_.try_emplace({e.light, number}, 0u);
       if (is_new) {

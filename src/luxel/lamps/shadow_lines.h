@@ -12,9 +12,9 @@
 namespace luxel {
 
 struct ShadowLineOptions {
-  double max_edge = 0.0;               // m, above 0: of the patches that are cut along the lines
-  double detail = 0.0;                 // m: length of what matters, at most max_edge; 0: max_edge
-  double contact_gap = 0.0;            // m, as for find_contact_lines()
+  double max_edge = 0.0;     // m, above 0: of the patches that are cut along the lines
+  double detail = 0.0;       // m: scale of the shadow features to keep, at most max_edge; 0: max_edge
+  double contact_gap = 0.0;  // m, as for find_contact_lines()
   std::size_t max_contacts = 200'000;  // as for find_contact_lines()
   std::size_t max_patches = 0;         // that the lines may add; lines of little light are left out
 };

@@ -32,7 +32,7 @@ struct EdgeShadow {
 class ShadowReceivers {
  public:
   struct Lengths {
-    double detail;  // m, of what matters: distance of the rays along a shadow
+    double detail;  // m, scale of shadow features: distance of the rays along a shadow
     double reach;   // m, small: at this distance beside an edge there is light
   };
 

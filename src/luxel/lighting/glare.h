@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "luxel/core/context.h"
-#include "luxel/lighting/lamp_surfaces.h"
+#include "luxel/patch/lamp_surfaces.h"
 #include "luxel/render/probe_light.h"
 
 namespace luxel {

@@ -14,7 +14,8 @@ namespace {
 // Patches that lines of shadows may add: half of those of the scene, but at least this many, and no more than
 // the second where all lights have surfaces.
 constexpr std::size_t min_shadow_patches = 4000, max_soft_patches = 20'000;
-// What matters of shadows, over the automatic edge of patches, which are refined later.
+// The scale of shadow features, as a fraction of the automatic edge length. It is below 1 because patches of
+// automatic size are refined later.
 constexpr double automatic_detail = 0.25;
 
 std::size_t max_shadow_patches(const Scene& scene, std::size_t patches) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/lighting/lamp_surfaces.h"
+#include "luxel/patch/lamp_surfaces.h"
 
 #include <unordered_map>
 
