@@ -94,32 +94,35 @@ TEST(ShadowLines, a_spot_has_no_lines_outside_of_its_cone) {
   expect_boundary(lines_of(scene), {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
 }
 
-// A square lamp of 4 cm above the centre of a screen of 1 m, half way to the floor: each edge of the screen
-// has a line where the whole lamp is hidden, and one where none of it is.
+// A square lamp of 4 or 10 cm above the centre of a screen of 1 m, half way to the floor: each edge of the
+// screen has a line where the whole lamp is hidden, and one where none of it is.
 TEST(ShadowLines, a_small_lamp_has_lines_where_its_penumbra_begins_and_ends) {
-  auto builder = screen_above_floor({0.0f, 0.0f, 1.0f});
-  builder.material("lamp", 0.0f, 1000.0f);
-  builder.quad({-0.02f, -0.02f, 2}, {-0.02f, 0.02f, 2}, {0.02f, 0.02f, 2}, {0.02f, -0.02f, 2});
-  const auto lines = lines_of(builder.scene());
-  double found = 0.0;
-  for (const auto& line : lines) {
-    EXPECT_LT(line.triangle, 2u);  // the floor
-    found += length(line);
-    for (const auto& end : line.ends) {
-      const auto x = std::abs(end.x), y = std::abs(end.y);
-      const bool is_on_side = std::abs(std::abs(std::max(x, y) - 1.0) - 0.02) < 1e-4;
-      EXPECT_TRUE(is_on_side || std::abs(x + y - 2.0) < 1e-4) << "on a side, or between two at a corner";
-      // The ends of lines meet, also where different corners of the lamp make them.
-      EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
-                              [&](const ShadowLine& other) {
-                                return &other != &line &&
-                                       distance_to(end, other.ends[0], other.ends[1]) < 1e-4;
-                              }))
-          << end.x << ' ' << end.y;
+  for (const float half : {0.02f, 0.05f}) {
+    SCOPED_TRACE(half);
+    auto builder = screen_above_floor({0.0f, 0.0f, 1.0f});
+    builder.material("lamp", 0.0f, 1000.0f);
+    builder.quad({-half, -half, 2}, {-half, half, 2}, {half, half, 2}, {half, -half, 2});
+    const auto lines = lines_of(builder.scene());
+    double found = 0.0;
+    for (const auto& line : lines) {
+      EXPECT_LT(line.triangle, 2u);  // the floor
+      found += length(line);
+      for (const auto& end : line.ends) {
+        const auto x = std::abs(end.x), y = std::abs(end.y);
+        const bool is_on_side = std::abs(std::abs(std::max(x, y) - 1.0) - half) < 1e-4;
+        EXPECT_TRUE(is_on_side || std::abs(x + y - 2.0) < 1e-4) << "on a side, or between two at a corner";
+        // The ends of lines meet, also where different corners of the lamp make them.
+        EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                                [&](const ShadowLine& other) {
+                                  return &other != &line &&
+                                         distance_to(end, other.ends[0], other.ends[1]) < 1e-4;
+                                }))
+            << end.x << ' ' << end.y;
+      }
     }
+    EXPECT_GT(found, 8 * 1.999) << "two lines of 2 m on each side";
+    EXPECT_LT(found, 8 * 2.0 + 8 * 3.0 * half) << "and short ones at their ends";
   }
-  EXPECT_GT(found, 8 * 1.999) << "two lines of 2 m on each side";
-  EXPECT_LT(found, 8 * 2.0 + 8 * 0.06) << "and short ones at their ends";
 }
 
 TEST(ShadowLines, a_large_lamp_has_a_soft_shadow_without_lines) {
