@@ -20,7 +20,7 @@ constexpr std::size_t max_receivers = 256;  // per edge
 constexpr double narrowest = 0.05;          // height of a receiver, in `detail`
 constexpr double shortest = 0.05;           // shadow of a whole edge, in `detail`
 constexpr double move_reach = 2.0;          // distance, in `reach`, from which lines move to edges
-constexpr double widest_penumbra = 0.5;    // in `detail`
+constexpr double widest_penumbra = 0.5;     // in `detail`
 constexpr double flat_cosine = 0.999;       // of the normals of triangles that continue each other
 
 }  // namespace
