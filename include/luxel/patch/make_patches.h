@@ -35,6 +35,8 @@ struct PatchOptions {
   float contact_gap = 1e-4f;  ///< m; surfaces so near touch (at most a hundredth of their shortest edge)
   /// Cut along these, too. make_patches_for_light() (solve/bake.h) finds them; any order, any number.
   std::vector<ShadowLine> shadow_lines = {};
+  /// Without textures and colours of corners where they set reflectance: for shapes and lamps alone.
+  bool plain_reflectance = false;
 };
 
 /// Splits every edge longer than max_edge in halves, recursively. Whether an edge is split depends on its

@@ -81,7 +81,10 @@ Bounds bounds(const Scene& scene);
 /// Returns whether light comes from what lies around the scene.
 bool has_sky(const Scene& scene);
 
-/// Returns whether the scene has an emitting surface, a punctual light, or a sky.
+/// Returns whether the scene has an emitting surface or a punctual light.
+bool has_lamp(const Scene& scene);
+
+/// Returns whether the scene has a lamp or a sky.
 bool has_light(const Scene& scene);
 
 /// Throws InputError naming the source where an array's length, an index or a number breaks the promise

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "luxel/core/barycentric.h"
@@ -36,6 +37,10 @@ std::vector<std::array<T, 3>> at_parts(const std::vector<std::array<T, 3>>& whol
       const auto whole = whole_of[p];
       const auto triangle = points_of(whole);
       const auto corners = parts.points(p);
+      if (corners == triangle) {
+        result[p] = wholes[whole];
+        continue;
+      }
       for (std::size_t k = 0; k < 3; ++k)
         result[p][k] = between(wholes[whole], barycentric(triangle, corners[k]));
     }
@@ -43,13 +48,13 @@ std::vector<std::array<T, 3>> at_parts(const std::vector<std::array<T, 3>>& whol
   return result;
 }
 
-// Means of textures over patches: one table per texture and per way the patches' materials use it.
+// Means of textures over some patches: one table per texture and per way their materials use it.
 class PatchMeans {
  public:
-  PatchMeans(const PatchSet& patches, const Context& context)
+  PatchMeans(const PatchSet& patches, std::span<const std::uint32_t> some, const Context& context)
       : patches_(patches), of_material_(patches.materials.size()) {
     std::vector<std::uint8_t> is_used(patches.materials.size(), 0);
-    for (const auto m : patches.material) is_used[static_cast<std::size_t>(m)] = 1;
+    for (const auto p : some) is_used[static_cast<std::size_t>(patches.material[p])] = 1;
     for (std::size_t m = 0; m < is_used.size(); ++m) {
       if (!is_used[m]) continue;
       const auto& t = patches.materials[m].textures;
@@ -147,7 +152,8 @@ void colour_patch(PatchSet& patches, std::size_t p, const PatchMeans& means, con
                        material.emittance);
 }
 
-void colour_patches(PatchSet& patches, const Context& context) {
+// Makes room for the colours of patches that differ from those of their materials.
+void make_ratios(PatchSet& patches) {
   const auto any = [&](const auto& has) {
     return std::any_of(patches.materials.begin(), patches.materials.end(),
                        [&](const BandMaterial& m) { return has(m.textures); });
@@ -157,19 +163,36 @@ void colour_patches(PatchSet& patches, const Context& context) {
     patches.reflectance_ratio.assign(values, 1.0f);
   if (any([](const auto& t) { return t.emittance.has_value(); }))
     patches.emittance_ratio.assign(values, 1.0f);
-  const PatchMeans means(patches, context);
+}
+
+void colour_patches(PatchSet& patches, std::span<const std::uint32_t> some, const Context& context) {
+  const PatchMeans means(patches, some, context);
   const BandsOfColours bands(patches);
-  context.for_chunks(patches.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
-    for (auto p = begin; p < end; ++p) colour_patch(patches, p, means, bands);
+  context.for_chunks(some.size(), patches_grain, [&](std::size_t begin, std::size_t end, int) {
+    for (auto i = begin; i < end; ++i) colour_patch(patches, some[i], means, bands);
   });
+}
+
+std::vector<std::uint32_t> all_of(const PatchSet& patches) {
+  std::vector<std::uint32_t> all(patches.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+void copy_bands(const std::vector<float>& from, std::size_t whole, std::vector<float>& to, std::size_t part,
+                std::size_t bands) {
+  if (!to.empty()) std::copy_n(from.begin() + whole * bands, bands, to.begin() + part * bands);
 }
 
 }  // namespace
 
-void lay_textures(PatchSet& patches, const Scene& scene, const Context& context) {
-  const bool has_textures = std::any_of(scene.materials.begin(), scene.materials.end(),
-                                        [](const Material& m) { return m.textures.any(); });
-  if (!has_textures && scene.corner_colours.empty()) return;
+void lay_textures(PatchSet& patches, const Scene& scene, bool plain_reflectance, const Context& context) {
+  if (plain_reflectance)
+    for (auto& m : patches.materials) m.textures.reflectance.reset();
+  const bool has_textures = std::any_of(patches.materials.begin(), patches.materials.end(),
+                                        [](const BandMaterial& m) { return m.textures.any(); });
+  const bool has_corners = !plain_reflectance && !scene.corner_colours.empty();
+  if (!has_textures && !has_corners) return;
   const auto points_of = [&](std::uint32_t triangle) {
     const auto& c = scene.triangles[triangle];
     return std::array{scene.positions[c[0]], scene.positions[c[1]], scene.positions[c[2]]};
@@ -179,9 +202,10 @@ void lay_textures(PatchSet& patches, const Scene& scene, const Context& context)
     for (const auto& set : scene.uv_sets)
       patches.uv_sets.push_back(at_parts(set, patches, patches.triangle, points_of, context));
   }
-  if (!scene.corner_colours.empty())
+  if (has_corners)
     patches.corner_colours = at_parts(scene.corner_colours, patches, patches.triangle, points_of, context);
-  colour_patches(patches, context);
+  make_ratios(patches);
+  colour_patches(patches, all_of(patches), context);
 }
 
 void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const std::uint32_t> parent,
@@ -194,11 +218,22 @@ void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const st
     parts.uv_sets.push_back(at_parts(set, parts, parent, points_of, context));
   if (!whole.corner_colours.empty())
     parts.corner_colours = at_parts(whole.corner_colours, parts, parent, points_of, context);
-  colour_patches(parts, context);
+  make_ratios(parts);
+  std::vector<std::uint32_t> cut;
+  for (std::uint32_t p = 0; p < parts.size(); ++p) {
+    if (parts.corners[p] != whole.corners[parent[p]]) {
+      cut.push_back(p);
+      continue;
+    }
+    parts.area[p] = whole.area[parent[p]];
+    copy_bands(whole.reflectance_ratio, parent[p], parts.reflectance_ratio, p, parts.band_count());
+    copy_bands(whole.emittance_ratio, parent[p], parts.emittance_ratio, p, parts.band_count());
+  }
+  colour_patches(parts, cut, context);
 }
 
 FineColours::FineColours(const PatchSet& patches, const Context& context) : patches_(patches) {
-  const PatchMeans means(patches, context);
+  const PatchMeans means(patches, all_of(patches), context);
   const auto fill = [&](std::vector<Vec3>& filled, const auto& use_of, const auto& mean) {
     const auto has = [&](const BandMaterial& m) { return use_of(m.textures).has_value(); };
     if (std::none_of(patches.materials.begin(), patches.materials.end(), has)) return;

@@ -13,12 +13,13 @@
 namespace luxel {
 
 // Lays the scene's textures and the colours of its corners on patches that were cut from its triangles
-// (PatchSet::triangle), and colours them. Nothing is done where the scene has neither. Cost: that of a mean
-// per patch and texture (TexelSums). The same bits for any number of threads.
-void lay_textures(PatchSet& patches, const Scene& scene, const Context& context);
+// (PatchSet::triangle), and colours them. Nothing is done where the scene has neither. With plain_reflectance
+// they set emittance and holes only. Cost: that of a mean per patch and texture (TexelSums). The same bits
+// for any number of threads.
+void lay_textures(PatchSet& patches, const Scene& scene, bool plain_reflectance, const Context& context);
 
 // Does the same for patches that are parts of others, given by `parent`. Their areas are still those of the
-// whole triangles.
+// whole triangles. Means are computed for parts only, not for patches that remained whole.
 void inherit_textures(PatchSet& parts, const PatchSet& whole, std::span<const std::uint32_t> parent,
                       const Context& context);
 

@@ -315,7 +315,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
     say_what_was_cut(lines, before, patches, context);
   }
   patches.vertices = weld.take();
-  lay_textures(patches, scene, context);
+  lay_textures(patches, scene, options.plain_reflectance, context);
   return patches;
 }
 

@@ -19,12 +19,14 @@ bool has_sky(const Scene& scene) {
                      [](const Vec3& radiance) { return radiance != Vec3(0.0f); });
 }
 
-bool has_light(const Scene& scene) {
-  if (has_sky(scene) || !scene.point_lights.empty()) return true;
+bool has_lamp(const Scene& scene) {
+  if (!scene.point_lights.empty()) return true;
   return std::any_of(
       scene.triangle_material.begin(), scene.triangle_material.end(),
       [&](MaterialId material) { return scene.materials[static_cast<std::size_t>(material)].is_lamp(); });
 }
+
+bool has_light(const Scene& scene) { return has_sky(scene) || has_lamp(scene); }
 
 void turn_triangle(Scene& scene, std::size_t triangle) {
   std::swap(scene.triangles[triangle][1], scene.triangles[triangle][2]);

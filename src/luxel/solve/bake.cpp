@@ -23,19 +23,14 @@ std::size_t max_shadow_patches(const Scene& scene, std::size_t patches) {
   return scene.point_lights.empty() ? std::min(most, max_soft_patches) : most;
 }
 
-bool has_shadow_edges(const Scene& scene) {
-  return !scene.point_lights.empty() || std::any_of(scene.materials.begin(), scene.materials.end(),
-                                                    [](const Material& m) { return m.is_lamp(); });
-}
-
 }  // namespace
 
 PatchSet make_patches_for_light(const Scene& scene, PatchOptions options, const Context& context) {
   const bool is_automatic = options.max_edge == automatic_edge;
-  if (!has_shadow_edges(scene) || !options.contacts || !(is_automatic || options.max_edge > 0.0f))
+  if (!has_lamp(scene) || !options.contacts || !(is_automatic || options.max_edge > 0.0f))
     return make_patches(scene, options, context);
-  const auto triangles =
-      make_patches(scene, {.max_edge = no_max_edge, .contacts = false}, context.with_log({}));
+  const auto triangles = make_patches(
+      scene, {.max_edge = no_max_edge, .contacts = false, .plain_reflectance = true}, context.with_log({}));
   if (triangles.size() == 0) return {};
   const auto max_edge = is_automatic ? automatic_max_edge(scene, options.target_count) : options.max_edge;
   const auto patches = triangles.size() + (is_automatic ? options.target_count : 0);
