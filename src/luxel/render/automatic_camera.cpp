@@ -12,6 +12,7 @@
 #include "luxel/render/lit_sides.h"
 #include "luxel/render/view_candidates.h"
 #include "luxel/render/view_score.h"
+#include "luxel/trace/place_views.h"
 
 namespace luxel {
 namespace {
@@ -115,7 +116,8 @@ Camera automatic_camera(const PatchSet& patches, const Solution& solution, const
                         const Vec3& up, float aspect, const Context& context) {
   check(patches, up, aspect);
   const auto sides =
-      make_lit_sides(patches, patches.has_sky() ? indoor_light(patches, tracer, context) : solution);
+      patches.has_sky() ? make_lit_sides(patches, indoor_light(patches, tracer, context), {})
+                        : make_lit_sides(patches, solution, place_views(patches, tracer, context).stating);
   const auto box = bounds_of(patches);
   Subject subject{patches, sides, tracer, box, glm::length(box.size()), glm::normalize(up), aspect};
   subject.openness = openness(subject);

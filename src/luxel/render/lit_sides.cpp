@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "luxel/patch/side.h"
@@ -38,9 +39,46 @@ std::vector<double> side_irradiance(const PatchSet& patches, const Solution& sol
   return irradiance;
 }
 
+// The log-average, weighted by power, so that a wide ground around a house has little weight.
+double typical_by_power(const PatchSet& patches, const std::vector<double>& irradiance, double least) {
+  double log_sum = 0.0;
+  double weight = 0.0;
+  for (std::size_t i = 0; i < irradiance.size(); ++i) {
+    if (!(irradiance[i] > least)) continue;
+    const auto arriving = static_cast<double>(patches.area[SideId::at(i).patch()]) * irradiance[i];
+    log_sum += arriving * std::log(irradiance[i]);
+    weight += arriving;
+  }
+  return weight > 0.0 ? std::exp(log_sum / weight) : 1.0;
+}
+
+// The log-average of what views see, and of this over the views, weighted by itself, so that dim rooms have
+// little weight. Nothing where no view sees light.
+std::optional<double> typical_of_views(const Views& views, const std::vector<double>& irradiance,
+                                       double least) {
+  double log_sum = 0.0;
+  double weight = 0.0;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    double sum = 0.0;
+    double lit = 0.0;
+    for (const auto code : views.seen_by(v)) {
+      const auto at = code & ~Views::unfocused;
+      const auto light = at == Views::sky ? 0.0 : irradiance[views.sides[at].index()];
+      if (!(light > least)) continue;
+      sum += std::log(light);
+      lit += 1.0;
+    }
+    if (lit == 0.0) continue;
+    const auto of_view = static_cast<double>(views.weight[v]) * std::exp(sum / lit);
+    log_sum += of_view * sum / lit;
+    weight += of_view;
+  }
+  return weight > 0.0 ? std::optional(std::exp(log_sum / weight)) : std::nullopt;
+}
+
 }  // namespace
 
-LitSides make_lit_sides(const PatchSet& patches, const Solution& solution) {
+LitSides make_lit_sides(const PatchSet& patches, const Solution& solution, const Views& views) {
   const auto irradiance = side_irradiance(patches, solution);
   double area = 0.0;
   double power = 0.0;
@@ -51,16 +89,8 @@ LitSides make_lit_sides(const PatchSet& patches, const Solution& solution) {
   }
   const auto least = area > 0.0 ? dark * power / area : 0.0;
 
-  // Log-average, weighted by power, so that a wide ground around a house has little weight.
-  double log_sum = 0.0;
-  double weight = 0.0;
-  for (std::size_t i = 0; i < irradiance.size(); ++i) {
-    if (!(irradiance[i] > least)) continue;
-    const auto arriving = static_cast<double>(patches.area[SideId::at(i).patch()]) * irradiance[i];
-    log_sum += arriving * std::log(irradiance[i]);
-    weight += arriving;
-  }
-  const auto typical = weight > 0.0 ? std::exp(log_sum / weight) : 1.0;
+  const auto of_views = typical_of_views(views, irradiance, least);
+  const auto typical = of_views ? *of_views : typical_by_power(patches, irradiance, least);
 
   LitSides sides;
   sides.brightness.assign(irradiance.size(), 0.0f);

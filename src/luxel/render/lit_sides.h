@@ -7,6 +7,7 @@
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/side.h"
 #include "luxel/solution/solution.h"
+#include "luxel/trace/views.h"
 
 namespace luxel {
 
@@ -21,7 +22,9 @@ struct LitSides {
   bool lit(SideId side) const { return brightness[side.index()] > 0.0f; }
 };
 
-// Where the solution has no light, or has not been solved, every side that reflects counts as lit.
-LitSides make_lit_sides(const PatchSet& patches, const Solution& solution);
+// Where the solution has no light, or has not been solved, every side that reflects counts as lit. What is
+// typical is what views see, from where a person can be: the insides of lamp shades have most of the power of
+// some rooms. Without views it is what most of the power falls on.
+LitSides make_lit_sides(const PatchSet& patches, const Solution& solution, const Views& views);
 
 }  // namespace luxel

@@ -26,13 +26,14 @@ Camera camera_for(const LitPatches& lit, int threads = 2, float aspect = 4.0f / 
   return automatic_camera(lit.patches, lit.solution, tracer, y_up, aspect, context);
 }
 
-double lit_fraction(const LitPatches& lit, const Camera& camera) {
+// Fraction of the pixels that are brighter than this, W/(sr m²).
+double lit_fraction(const LitPatches& lit, const Camera& camera, float above = 0.0f) {
   const Context context(2);
   const Tracer tracer(lit.patches, context);
   const auto image = render(lit.patches, make_smooth_light(lit.patches, lit.solution), tracer, camera,
                             {.width = 80, .height = 60, .samples_per_side = 1}, context);
   double lit_pixels = 0.0;
-  for (const auto& pixel : image.pixels) lit_pixels += pixel.g > 0.0f ? 1.0 : 0.0;
+  for (const auto& pixel : image.pixels) lit_pixels += pixel.g > above ? 1.0 : 0.0;
   return lit_pixels / static_cast<double>(image.pixels.size());
 }
 
@@ -111,6 +112,23 @@ TEST(AutomaticCamera, of_two_rooms_it_chooses_the_lit_one) {
   const auto camera = camera_for(lit);
   EXPECT_TRUE(within(camera.eye, {6.0f, 0.0f, 0.0f}, {9.0f, 3.0f, 3.0f})) << as_text(camera.eye);
   EXPECT_EQ(lit_fraction(lit, camera), 1.0);
+}
+
+// Their insides have most of the power, but nobody can stand there.
+TEST(AutomaticCamera, it_does_not_look_into_lamp_shades) {
+  auto lit = room({4.0f, 3.0f, 5.0f});
+  const auto bulb = static_cast<std::uint32_t>(lit.patches.materials.size());
+  lit.patches.materials.push_back(plain_material("bulb", 0.0f, true, 1e4f));
+  for (const float x : {0.5f, 1.5f, 2.5f, 3.5f}) {
+    test::add_box(lit, {x - 0.07f, 1.5f, 0.02f}, {x + 0.07f, 1.64f, 0.16f}, Facing::inwards, 5000.0f, true);
+    test::add_plate(lit, {x - 0.02f, 1.55f, 0.05f}, {0.04f, 0.0f, 0.0f}, {0.0f, 0.04f, 0.0f}, 1, 0.0f, 0.0f,
+                    bulb);
+  }
+  const auto camera = camera_for(lit);
+  for (const float x : {0.5f, 1.5f, 2.5f, 3.5f})
+    EXPECT_FALSE(within(camera.eye, {x - 0.07f, 1.5f, 0.0f}, {x + 0.07f, 1.64f, 0.2f}))
+        << as_text(camera.eye);
+  EXPECT_LT(lit_fraction(lit, camera, 100.0f), 0.02) << as_text(camera.eye);
 }
 
 TEST(AutomaticCamera, it_does_not_stand_in_the_furniture) {
