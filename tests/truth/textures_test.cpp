@@ -138,6 +138,47 @@ TEST(Textures, AreColouredAnewWhenPatchesAreCut) {
     EXPECT_NEAR(sums[i] / double{coarse.area[i / 3]}, coarse.reflectance(i / 3, i % 3), 1e-4);
 }
 
+// Two cuts of every third patch: what stays whole keeps its colours, what is cut has those of its own place.
+TEST(Textures, AreColouredAsIfCutAtOnceWhereOnlySomePatchesAreCut) {
+  auto patches = make_patches(chequered_box(true), {.max_edge = 0.3f, .contacts = false});
+  for (int round = 0; round < 2; ++round) {
+    std::vector<std::uint8_t> marks(patches.size(), 0);
+    for (std::size_t p = 0; p < marks.size(); p += 3) marks[p] = 1;
+    auto cut = refine_patches(patches, marks);
+    std::size_t whole = 0;
+    for (std::size_t p = 0; p < cut.patches.size(); ++p) {
+      if (cut.patches.corners[p] != patches.corners[cut.parent[p]]) continue;
+      ++whole;
+      for (std::size_t b = 0; b < 3; ++b) {
+        ASSERT_EQ(cut.patches.reflectance(p, b), patches.reflectance(cut.parent[p], b));
+        ASSERT_EQ(cut.patches.emittance(p, b), patches.emittance(cut.parent[p], b));
+      }
+      ASSERT_EQ(cut.patches.area[p], patches.area[cut.parent[p]]);
+    }
+    EXPECT_GT(whole, 5u);
+    patches = std::move(cut.patches);
+  }
+  // Each again by itself, from its own corners.
+  const auto all = refine_patches(patches, std::vector<std::uint8_t>(patches.size(), 1));
+  std::vector<double> sums(patches.size() * 3, 0.0);
+  for (std::size_t p = 0; p < all.patches.size(); ++p)
+    for (std::size_t b = 0; b < 3; ++b)
+      sums[all.parent[p] * 3 + b] += double{all.patches.area[p]} * double{all.patches.reflectance(p, b)};
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    EXPECT_NEAR(sums[i] / double{patches.area[i / 3]}, patches.reflectance(i / 3, i % 3), 1e-4);
+}
+
+TEST(Textures, OfReflectanceAreLeftOutOnRequestAndThoseOfLampsStay) {
+  const auto scene = chequered_box(true);
+  const PatchOptions usual{.max_edge = 0.1f, .contacts = false};
+  auto plain = usual;
+  plain.plain_reflectance = true;
+  const auto with = make_patches(scene, usual), without = make_patches(scene, plain);
+  EXPECT_TRUE(without.reflectance_ratio.empty());
+  EXPECT_EQ(without.emittance_ratio, with.emittance_ratio);
+  EXPECT_EQ(without.corners, with.corners);
+}
+
 // The ratio of red to blue that one pixel in twenty exceeds, over that which nineteen exceed.
 double contrast_of(const Image& picture) {
   std::vector<double> ratio;

@@ -115,9 +115,9 @@ Bounds bounds_of(const PatchSet& patches) {
 Camera automatic_camera(const PatchSet& patches, const Solution& solution, const Tracer& tracer,
                         const Vec3& up, float aspect, const Context& context) {
   check(patches, up, aspect);
-  const auto sides =
-      patches.has_sky() ? make_lit_sides(patches, indoor_light(patches, tracer, context), {})
-                        : make_lit_sides(patches, solution, place_views(patches, tracer, context).stating);
+  const auto sides = patches.has_sky()
+                         ? make_lit_sides(patches, indoor_light(patches, tracer, context), {})
+                         : make_lit_sides(patches, solution, place_views(patches, tracer, context).stating);
   const auto box = bounds_of(patches);
   Subject subject{patches, sides, tracer, box, glm::length(box.size()), glm::normalize(up), aspect};
   subject.openness = openness(subject);
