@@ -21,6 +21,8 @@ inline constexpr float max_aspect = 100.0f;
 /// A view that shows much lit surface, for a scene without a camera: candidate views from inside and from
 /// outside are traced at thumbnail size, the best are moved a little, and the best of all is kept (bright,
 /// much of the light in view, furnished, little emptiness, no surface close to the eye, the horizon level).
+/// Brightness is relative to what a person in the scene's open space sees, so that insides of lamp shades
+/// are no attraction.
 /// Where the solution has no light, or is empty because nothing was solved yet, every side counts as lit;
 /// under a sky sides are weighted by how enclosed they are (indoor_light). The target is at the depth of the
 /// view. Deterministic, and the same in any unit of length.
