@@ -127,15 +127,19 @@ TEST(Textures, ColourAlikeOnAnyNumberOfThreads) {
   EXPECT_EQ(one.uv_sets, four.uv_sets);
 }
 
-TEST(Textures, AreColouredAnewWhenPatchesAreCut) {
-  const auto coarse = make_patches(chequered_box(true), {.max_edge = 1.0f, .contacts = false});
-  const auto fine = refine_patches(coarse, std::vector<std::uint8_t>(coarse.size(), 1));
-  std::vector<double> sums(coarse.size() * 3, 0.0);
-  for (std::size_t p = 0; p < fine.patches.size(); ++p)
+// Cuts every patch: the mean reflectance of its parts is that of the patch.
+void expect_parts_have_the_means_of(const PatchSet& wholes) {
+  const auto cut = refine_patches(wholes, std::vector<std::uint8_t>(wholes.size(), 1));
+  std::vector<double> sums(wholes.size() * 3, 0.0);
+  for (std::size_t p = 0; p < cut.patches.size(); ++p)
     for (std::size_t b = 0; b < 3; ++b)
-      sums[fine.parent[p] * 3 + b] += double{fine.patches.area[p]} * double{fine.patches.reflectance(p, b)};
+      sums[cut.parent[p] * 3 + b] += double{cut.patches.area[p]} * double{cut.patches.reflectance(p, b)};
   for (std::size_t i = 0; i < sums.size(); ++i)
-    EXPECT_NEAR(sums[i] / double{coarse.area[i / 3]}, coarse.reflectance(i / 3, i % 3), 1e-4);
+    EXPECT_NEAR(sums[i] / double{wholes.area[i / 3]}, wholes.reflectance(i / 3, i % 3), 1e-4);
+}
+
+TEST(Textures, AreColouredAnewWhenPatchesAreCut) {
+  expect_parts_have_the_means_of(make_patches(chequered_box(true), {.max_edge = 1.0f, .contacts = false}));
 }
 
 // Two cuts of every third patch: what stays whole keeps its colours, what is cut has those of its own place.
@@ -158,14 +162,7 @@ TEST(Textures, AreColouredAsIfCutAtOnceWhereOnlySomePatchesAreCut) {
     EXPECT_GT(whole, 5u);
     patches = std::move(cut.patches);
   }
-  // Each again by itself, from its own corners.
-  const auto all = refine_patches(patches, std::vector<std::uint8_t>(patches.size(), 1));
-  std::vector<double> sums(patches.size() * 3, 0.0);
-  for (std::size_t p = 0; p < all.patches.size(); ++p)
-    for (std::size_t b = 0; b < 3; ++b)
-      sums[all.parent[p] * 3 + b] += double{all.patches.area[p]} * double{all.patches.reflectance(p, b)};
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    EXPECT_NEAR(sums[i] / double{patches.area[i / 3]}, patches.reflectance(i / 3, i % 3), 1e-4);
+  expect_parts_have_the_means_of(patches);
 }
 
 TEST(Textures, OfReflectanceAreLeftOutOnRequestAndThoseOfLampsStay) {

@@ -114,7 +114,7 @@ TEST(AutomaticCamera, of_two_rooms_it_chooses_the_lit_one) {
   EXPECT_EQ(lit_fraction(lit, camera), 1.0);
 }
 
-// Their insides have most of the power, but nobody can stand there.
+// The insides of the shades receive most of the power, but a person cannot stand there.
 TEST(AutomaticCamera, it_does_not_look_into_lamp_shades) {
   auto lit = room({4.0f, 3.0f, 5.0f});
   const auto bulb = static_cast<std::uint32_t>(lit.patches.materials.size());
