@@ -24,6 +24,7 @@
 #include "luxel/patch/make_panes.h"
 #include "luxel/patch/near_lines.h"
 #include "luxel/patch/set_bands.h"
+#include "luxel/patch/size_field.h"
 #include "luxel/patch/triangle_splitter.h"
 #include "luxel/scene/clean_triangles.h"
 #include "luxel/scene/up_axis.h"
@@ -287,7 +288,8 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
   const auto max_edge = chosen_edge(scene, options);
   const auto lines = lines_to_cut(triangles, weld.positions(), options, max_edge, context);
   TwoSidedTwins twins(patches);
-  TriangleSplitter splitter(patches, weld, max_edge, options.max_count);
+  const SizeField sizes(max_edge, lines, triangles, weld.positions());
+  TriangleSplitter splitter(patches, weld, sizes, options.max_count);
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const auto done = static_cast<double>(i) / static_cast<double>(triangles.size());
     if (i % triangles_per_report == 0 && context.report({.stage = "patches", .done = done}) == Next::stop)

@@ -23,18 +23,21 @@ void TriangleSplitter::add(const std::array<std::uint32_t, 3>& corners, const Ve
   split(corners, of_triangle);
 }
 
-double TriangleSplitter::length2(std::uint32_t i, std::uint32_t j) const {
-  const auto d = Vec3d(weld_.positions()[i]) - Vec3d(weld_.positions()[j]);
+// Returns the squared length of an edge that is too long, 0 of others.
+double TriangleSplitter::excess2(std::uint32_t i, std::uint32_t j) const {
+  const auto& p = weld_.positions();
+  if (!sizes_.is_too_long(p[i], p[j])) return 0.0;
+  const auto d = Vec3d(p[i]) - Vec3d(p[j]);
   return glm::dot(d, d);
 }
 
 void TriangleSplitter::split(const std::array<std::uint32_t, 3>& c, const std::vector<std::uint32_t>& lines) {
-  const std::array<double, 3> edge2 = {length2(c[0], c[1]), length2(c[1], c[2]), length2(c[2], c[0])};
+  const std::array<double, 3> edge2 = {excess2(c[0], c[1]), excess2(c[1], c[2]), excess2(c[2], c[0])};
   const auto k = static_cast<std::size_t>(std::max_element(edge2.begin(), edge2.end()) - edge2.begin());
   const auto i = c[k];
   const auto j = c[(k + 1) % 3];
   const auto apex = c[(k + 2) % 3];
-  if (max_edge2_ <= 0.0 || edge2[k] <= max_edge2_) return append(c, lines);
+  if (edge2[k] == 0.0) return append(c, lines);
   // a + b equals b + a exactly: both neighbours of the edge compute the same point.
   const auto& p = weld_.positions();
   const auto place = 0.5f * (p[i] + p[j]);

@@ -9,18 +9,19 @@
 
 #include "luxel/patch/cut_contacts.h"
 #include "luxel/patch/patch_set.h"
+#include "luxel/patch/size_field.h"
 #include "luxel/scene/vertex_weld.h"
 
 namespace luxel {
 
-// Halves a triangle at its longest edge, and the halves again, until no edge is too long; appends the parts
-// to a patch set. Whether an edge is halved depends on its own two ends only. Carries contact lines along:
-// each part gets those that meet it.
+// Halves a triangle at its longest edge that is too long, and the halves again, until none is; appends the
+// parts to a patch set. Whether an edge is halved depends on its own two ends only. Carries contact lines
+// along: each part gets those that meet it.
 class TriangleSplitter {
  public:
-  // max_edge: m, 0 for no splitting. More than max_count patches are an InputError.
-  TriangleSplitter(PatchSet& patches, VertexWeld& weld, double max_edge, std::size_t max_count)
-      : patches_(patches), weld_(weld), max_count_(max_count), max_edge2_(max_edge * max_edge) {}
+  // More than max_count patches are an InputError.
+  TriangleSplitter(PatchSet& patches, VertexWeld& weld, const SizeField& sizes, std::size_t max_count)
+      : patches_(patches), weld_(weld), sizes_(sizes), max_count_(max_count) {}
 
   // lines: all contact lines; of_triangle: the numbers of those on this one.
   void add(const std::array<std::uint32_t, 3>& corners, const Vec3& normal, std::uint32_t triangle,
@@ -30,7 +31,7 @@ class TriangleSplitter {
   const std::vector<LineOnPatch>& lines_on_patches() const { return lines_on_patches_; }
 
  private:
-  double length2(std::uint32_t i, std::uint32_t j) const;
+  double excess2(std::uint32_t i, std::uint32_t j) const;
   void split(const std::array<std::uint32_t, 3>& c, const std::vector<std::uint32_t>& lines);
   std::vector<std::uint32_t> near(const std::array<std::uint32_t, 3>& c,
                                   const std::vector<std::uint32_t>& lines) const;
@@ -38,8 +39,8 @@ class TriangleSplitter {
 
   PatchSet& patches_;
   VertexWeld& weld_;
+  const SizeField& sizes_;
   std::size_t max_count_;
-  double max_edge2_;
   std::vector<LineOnPatch> lines_on_patches_;
   // Data of the triangle that is being split.
   std::span<const ContactLine> all_lines_;

@@ -129,7 +129,10 @@ class Refinement {
   bool is_met() const {
     return (can_look_again() ? estimate_.error() : report_.levels.back().mesh_error) <= options_.mesh_error;
   }
-  bool can_look_again() const { return is_within_cost(report_.levels.front().rays); }
+  // Where the cost has a bound, once: it confirms that the error is as small, or shows where more is.
+  bool can_look_again() const {
+    return is_within_cost(report_.levels.front().rays) && (options_.max_cost == 0.0 || !has_looked_again_);
+  }
 
   // Returns whether the marked patches, which differ by more than noise, have enough of the error.
   bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
@@ -320,6 +323,7 @@ class Refinement {
     again.patches = now_.patches;
     const Tracer tracer(again.patches, context_);
     if (!solve(again, tracer)) return false;
+    has_looked_again_ = true;
     cuts_ = 0;
     now_ = std::move(again);
     estimate(tracer);
@@ -381,6 +385,7 @@ class Refinement {
   double allowed_rays_ = 0.0;  // see bound_cost(); 0: unknown, or without a bound
   double later_rays_ = 0.0;    // of the solve that follows; 0: unknown
   std::size_t cuts_ = 0;       // decided by the present estimates
+  bool has_looked_again_ = false;
 };
 
 }  // namespace
