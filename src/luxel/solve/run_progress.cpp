@@ -105,9 +105,8 @@ double TimeForecast::learned_exponent() const {
 
 // Cost of the next planned round over that of all before.
 double TimeForecast::planned_growth(double squared_error) const {
-  return std::max(options_.min_growth,
-                  growth_to_target(squared_error, options_.aim * options_.error * options_.error, false,
-                                   options_.max_growth));
+  return growth_to_target(squared_error, options_.aim * options_.error * options_.error, false,
+                          options_.max_growth);
 }
 
 double TimeForecast::sampling_seconds(double more_cost) const {

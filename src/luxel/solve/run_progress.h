@@ -16,14 +16,14 @@ namespace luxel {
 
 // Limits of a sampled solve, and the allowed growth of its rounds.
 struct TimeForecastOptions {
-  double error = 0.0;        // by the measure that ends the run; 0: it is not ended by the error
-  double aim = 1.0;          // of the squared error, at which a round is planned
-  double rays = 0.0;         // 0: no bound
-  double ray_budget = 0.0;   // see SampledOptions; 0: no bound
-  double seconds = 0.0;      // 0: no bound
-  double min_growth = 0.25;  // minimum cost of a round over that of all before it
-  double max_growth = 3.0;   // maximum of that ratio
-  bool is_resumed = false;   // there were rounds before those that are reported
+  double error = 0.0;       // by the measure that ends the run; 0: it is not ended by the error
+  double aim = 1.0;         // of the squared error, at which a round is planned
+  double rays = 0.0;        // 0: no bound
+  double ray_budget = 0.0;  // see SampledOptions; 0: no bound
+  double seconds = 0.0;     // 0: no bound
+  double min_growth = 0.5;  // minimum cost of a round over that of all before it
+  double max_growth = 3.0;  // maximum of that ratio
+  bool is_resumed = false;  // there were rounds before those that are reported
 };
 
 // The samples that a round adds to those before.

@@ -186,12 +186,11 @@ namespace rounds {
 // Fraction of the target squared error that a round aims at: missing it costs another round.
 constexpr double aim = 0.8;
 // Cost of a round over that of all before it. At least: a run that tests its error often stops at the first
-// estimate low by chance, and with 0.5 a million triangles that missed 3 % by 0.07 took half as many rays
-// more. At most: where an error ends the run, after its first answer and later; and where a
+// estimate low by chance. At most: where an error ends the run, after its first answer and later; and where a
 // bound of rays or time may end it, so that it ends near it. With 4 for all rounds a kitchen took 610 million
 // rays to 2 % and had 1.2 %, since its squared error fell with a power of 1.4 of the cost instead of 0.95;
 // with 1 a hall took 115 instead of 83 million, as one more answer was needed.
-constexpr double min_growth = 0.25;
+constexpr double min_growth = 0.5;
 constexpr double growth_after_first = 4.0;
 constexpr double growth_later = 1.5;
 constexpr double growth_to_bound = 1.0;

@@ -25,7 +25,7 @@ struct Recorded {
   std::vector<Round> rounds;
 };
 
-// Runs of the solver on two cores, whose rounds cost at least half of all before them.
+// Runs of the solver on two cores.
 const std::vector<Recorded> recorded{
     {"modern hall",
      0.02,
@@ -52,7 +52,7 @@ struct Judged {
 };
 
 Judged judged(const Recorded& run) {
-  TimeForecast forecast({.error = run.error, .aim = 0.8, .min_growth = 0.5});
+  TimeForecast forecast({.error = run.error, .aim = 0.8});
   const auto whole = run.rounds.back().answered;
   Judged result;
   const auto look = [&](double seconds, double rays) {
