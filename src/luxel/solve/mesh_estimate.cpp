@@ -24,6 +24,12 @@ constexpr double carried = 0.1;
 // 5 %.
 constexpr double shown_by_residual = 0.27;
 
+// What counts of an estimate is above this many times the noise around it: of pure noise 5 %. And how many
+// patches before and after one are around it. With 0 times, refinement beside a wall lamp made clusters of
+// tiny patches in smooth light and left the edge of the light coarse; with 12 it left much of the edges.
+constexpr double noises = 3.0;
+constexpr std::size_t noise_reach = 8;
+
 void copy_row(const std::vector<double>& from, std::size_t patch, std::vector<double>& to, std::size_t part,
               std::size_t bands) {
   std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(patch * bands), bands,
@@ -48,6 +54,18 @@ std::vector<double> weights_in_power(const PatchSet& patches, const Answers& ans
   for (std::size_t s = 0; light > 0.0 && s < weights.size(); ++s)
     weights[s] = static_cast<double>(patches.area[SideId::at(s).patch()]) / light;
   return weights;
+}
+
+std::vector<double> beyond_noise(std::span<const double> squared, std::span<const double> noise) {
+  std::vector<double> sum{0.0};  // [patch]: noise of all before it
+  for (const auto n : noise) sum.push_back(sum.back() + n);
+  std::vector<double> result(squared.begin(), squared.end());
+  for (std::size_t p = 0; p < result.size(); ++p) {
+    const auto begin = p > noise_reach ? p - noise_reach : 0;
+    const auto end = std::min(noise.size(), p + noise_reach + 1);
+    result[p] -= noises * (sum[end] - sum[begin]) / static_cast<double>(end - begin);
+  }
+  return result;
 }
 
 void MeshEstimate::note_cut(FieldDifference change, std::span<const std::uint32_t> parent,

@@ -129,10 +129,9 @@ class Refinement {
   bool is_met() const {
     return (can_look_again() ? estimate_.error() : report_.levels.back().mesh_error) <= options_.mesh_error;
   }
-  // Where the cost has a bound, once: it confirms that the error is as small, or shows where more is.
-  bool can_look_again() const {
-    return is_within_cost(report_.levels.front().rays) && (options_.max_cost == 0.0 || !has_looked_again_);
-  }
+  // Where the cost has a bound, the rays for it are better spent on the light itself: meshes came out the
+  // same.
+  bool can_look_again() const { return options_.max_cost == 0.0; }
 
   // Returns whether the marked patches, which differ by more than noise, have enough of the error.
   bool is_worth_a_level(const std::vector<std::uint8_t>& marks) const {
@@ -323,7 +322,6 @@ class Refinement {
     again.patches = now_.patches;
     const Tracer tracer(again.patches, context_);
     if (!solve(again, tracer)) return false;
-    has_looked_again_ = true;
     cuts_ = 0;
     now_ = std::move(again);
     estimate(tracer);
@@ -341,7 +339,8 @@ class Refinement {
 
   // The fewest patches that reduce the error to about the target. Where that would require cutting patches
   // with nearly all of the error, part of it is left to the next mesh, whose estimate is better. Differences
-  // that noise can explain are no reason to cut. is_last: no mesh follows the next one.
+  // that noise can explain are no reason to cut, and those most above noise come first. is_last: no mesh
+  // follows the next one.
   std::vector<std::uint8_t> marked_by_difference(bool is_last) const {
     const auto squared = estimate_.squared(), noise = estimate_.noise();
     std::vector<std::uint32_t> order;
@@ -351,7 +350,7 @@ class Refinement {
       order.push_back(p);
       left += squared[p];
     }
-    sort_by_weight(squared, order);
+    sort_by_weight(beyond_noise(squared, noise), order);
     const auto target =
         options_.mesh_error / static_cast<double>(can_look_again() ? 1 : std::min(selected, cuts_ + 1));
     const auto aimed = aim * target * target * (1.0 - left_by_halving);
@@ -385,7 +384,6 @@ class Refinement {
   double allowed_rays_ = 0.0;  // see bound_cost(); 0: unknown, or without a bound
   double later_rays_ = 0.0;    // of the solve that follows; 0: unknown
   std::size_t cuts_ = 0;       // decided by the present estimates
-  bool has_looked_again_ = false;
 };
 
 }  // namespace
