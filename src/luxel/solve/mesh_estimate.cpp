@@ -24,10 +24,10 @@ constexpr double carried = 0.1;
 // 5 %.
 constexpr double shown_by_residual = 0.27;
 
-// What counts of an estimate is above this many times the noise around it: of pure noise 5 %. And how many
+// What counts of an estimate is above this many times the noise around it: of pure noise 9 %. And how many
 // patches before and after one are around it. With 0 times, refinement beside a wall lamp made clusters of
-// tiny patches in smooth light and left the edge of the light coarse; with 12 it left much of the edges.
-constexpr double noises = 3.0;
+// tiny patches in smooth light and left the edge of the light coarse; with 12 it did not cut all of the edge.
+constexpr double noises = 2.0;
 constexpr std::size_t noise_reach = 8;
 
 void copy_row(const std::vector<double>& from, std::size_t patch, std::vector<double>& to, std::size_t part,

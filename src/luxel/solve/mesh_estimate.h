@@ -22,7 +22,7 @@ constexpr double left_by_halving = 0.5;
 // [side]: squared error of the power per squared difference of irradiance, (m²/W)².
 std::vector<double> weights_in_power(const PatchSet& patches, const Answers& answers);
 
-// [patch]: an estimate less three times the mean noise of the patches around it in order. The noise of one
+// [patch]: an estimate less twice the mean noise of the patches around it in order. The noise of one
 // patch is known from a single difference of two answers; where all is noise, the largest estimates are no
 // error at all, and cuts by them alone follow the noise ever deeper.
 std::vector<double> beyond_noise(std::span<const double> squared, std::span<const double> noise);
