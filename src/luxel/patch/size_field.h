@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
+#include "luxel/core/point_cells.h"
 #include "luxel/core/vector.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/scene/clean_triangles.h"
@@ -29,7 +29,8 @@ class SizeField {
   SizeField(double max_edge, std::span<const ContactLine> lines, std::span<const CleanTriangle> triangles,
             const std::vector<Vec3>& positions);
 
-  // Whether the edge between two points is too long. Depends on the two points only, in either order.
+  // Returns whether the edge between two points is too long: the same for all triangles at that edge, which
+  // may name its ends in either order.
   bool is_too_long(const Vec3& a, const Vec3& b) const;
 
  private:
@@ -40,7 +41,8 @@ class SizeField {
   bool has_many_lines(const Vec3d& from, const Vec3d& to) const;
 
   double max_edge_;
-  std::unordered_map<std::uint64_t, std::vector<ShortLine>> lines_;  // [cell of space]
+  std::vector<ShortLine> lines_;
+  std::optional<PointCells> cells_;  // the middles of the lines, if there are any
 };
 
 }  // namespace luxel

@@ -24,11 +24,11 @@ constexpr double carried = 0.1;
 // 5 %.
 constexpr double shown_by_residual = 0.27;
 
-// What counts of an estimate is above this many times the noise around it: of pure noise 9 %. And how many
-// patches before and after one are around it. With 0 times, refinement beside a wall lamp made clusters of
-// tiny patches in smooth light and left the edge of the light coarse; with 12 it did not cut all of the edge.
+// Estimates count by how much they exceed this many times the noise around them, as 9 % do where all is
+// noise. With 0 times, refinement beside a wall lamp made clusters of tiny patches in smooth light and left
+// the edge of the light coarse; with 12 it did not cut all of the edge.
 constexpr double noises = 2.0;
-constexpr std::size_t noise_reach = 8;
+constexpr std::size_t noise_reach = 8;  // patches before and after one, whose noise is around it
 
 void copy_row(const std::vector<double>& from, std::size_t patch, std::vector<double>& to, std::size_t part,
               std::size_t bands) {

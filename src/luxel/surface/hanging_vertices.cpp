@@ -6,6 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "luxel/core/point_cells.h"
+
 namespace luxel {
 namespace {
 
@@ -55,39 +57,6 @@ std::array<std::uint32_t, 2> ends_of(const PatchSet& patches, const PatchEdge& e
   return {c[e.edge], c[(e.edge + 1) % 3]};
 }
 
-// Points in cubic cells, found by the cells of a box.
-class Cells {
- public:
-  Cells(const PatchSet& patches, std::vector<std::uint32_t> vertices, double size) : size_(size) {
-    for (const auto v : vertices) entries_.push_back({cell_of(Vec3d(patches.vertices[v])), v});
-    std::sort(entries_.begin(), entries_.end());
-  }
-
-  template <typename Body>
-  void for_each_in(const Vec3d& low, const Vec3d& high, Body body) const {
-    const auto a = cell_of(low), b = cell_of(high);
-    for (auto x = a[0]; x <= b[0]; ++x)
-      for (auto y = a[1]; y <= b[1]; ++y) {
-        const Cell first{x, y, a[2]};
-        for (auto e = std::lower_bound(entries_.begin(), entries_.end(), Entry{first, 0});
-             e != entries_.end() && e->first <= Cell{x, y, b[2]}; ++e)
-          body(e->second);
-      }
-  }
-
- private:
-  using Cell = std::array<std::int64_t, 3>;
-  using Entry = std::pair<Cell, std::uint32_t>;
-
-  Cell cell_of(const Vec3d& p) const {
-    const auto index = [this](double x) { return static_cast<std::int64_t>(std::floor(x / size_)); };
-    return {index(p.x), index(p.y), index(p.z)};
-  }
-
-  double size_;
-  std::vector<Entry> entries_;
-};
-
 }  // namespace
 
 double line_tolerance(const Vec3& vertex, double length) {
@@ -111,7 +80,10 @@ std::vector<HangingVertex> hanging_on(const PatchSet& patches, const std::vector
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   const auto step = length / static_cast<double>(edges.size());
-  const Cells cells(patches, vertices, step);
+  std::vector<PointCells::Point> points;
+  points.reserve(vertices.size());
+  for (const auto v : vertices) points.push_back({Vec3d(patches.vertices[v]), v});
+  const PointCells cells(points, step);
 
   std::vector<HangingVertex> hanging;
   for (const auto& e : edges) {

@@ -37,7 +37,7 @@ Contributions estimated() {
   return result;
 }
 
-// Of the largest hundred, as many as there are edges.
+// Counts the patches with an edge of light among those of the hundred largest estimates: a hundred have one.
 std::size_t edges_found(const std::vector<double>& estimate) {
   std::vector<std::size_t> order(estimate.size());
   std::iota(order.begin(), order.end(), 0u);
