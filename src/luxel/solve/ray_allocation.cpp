@@ -215,23 +215,28 @@ std::vector<double> gather_errors(const PatchSet& patches, const SampledOperator
   const auto other = crossed.seen_by(1, radiosity);
   for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = 0.5f * (seen[i] + other[i]);
 
-  // 2. The value of a ray. The estimate of a single row is noisy, so neighbours use the mean, with their own
-  // importance and number of rays.
+  // 2. The value of a ray. Neighbours use the mean, with their own importance and number of rays: the
+  // estimate of a single row is noisy, and a side that often met a bright one by chance would get more rays,
+  // which dilute that chance, while a side that met it too seldom would get none.
   auto worth = transport.ray_worth(importance, seen, level, context);
   const auto rays = [&](std::size_t s) {
     return static_cast<double>(transport.hits().rays_per_receiver()[s]);
   };
   for_units(begins, context, [&](std::size_t first, std::size_t end) {
-    double sum = 0.0;
-    double areas = 0.0;
+    double own = 0.0, own_areas = 0.0;
+    double given = 0.0, areas = 0.0;
     for (auto s = first; s < end; ++s) {
-      if (!(importance[s] > 0.0)) continue;
-      sum += area(s) * static_cast<double>(worth.own[s]) / importance[s] * rays(s) * rays(s);
+      given += area(s) * static_cast<double>(worth.given[s]);
       areas += area(s);
+      if (!(importance[s] > 0.0)) continue;
+      own += area(s) * static_cast<double>(worth.own[s]) / importance[s] * rays(s) * rays(s);
+      own_areas += area(s);
     }
-    for (auto s = first; s < end; ++s)
+    for (auto s = first; s < end; ++s) {
       worth.own[s] =
-          areas > 0.0 ? static_cast<float>(sum / areas * importance[s] / (rays(s) * rays(s))) : 0.0f;
+          own_areas > 0.0 ? static_cast<float>(own / own_areas * importance[s] / (rays(s) * rays(s))) : 0.0f;
+      worth.given[s] = static_cast<float>(given / areas);
+    }
   });
 
   // 3. Multiply by the number of rays. The variance of light that no ray has found yet is taken to be the

@@ -2,6 +2,7 @@
 #include "luxel/solve/ray_allocation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -97,6 +98,36 @@ class UnevenRoom {
   Tracer tracer_{patches_, context};
 };
 
+// The parts of all sides of a cube in units of neighbours, where rays count at both ends and all sides have
+// the same importance and number of rays. One of `shining` sides shines, so that it is chance which rays meet
+// one.
+std::vector<double> parts_of_cube(std::uint32_t unit, std::uint32_t shining) {
+  truth::SceneBuilder room;
+  room.material("walls", 0.5f, 0.0f)
+      .quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0})
+      .quad({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1})
+      .quad({0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1})
+      .quad({1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0})
+      .quad({0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0})
+      .quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1});
+  const auto patches = make_patches(room.scene(), {.max_edge = 0.1f});
+  const Tracer tracer(patches, context);
+  HitStore hits(patches, all_gather_sides(patches, make_patch_tree(patches, context)), tracer,
+                {.seed = 1, .replicates = 4});
+  const auto receivers = static_cast<std::uint32_t>(hits.sides().size());
+  std::vector<std::uint32_t> all(receivers);
+  std::iota(all.begin(), all.end(), 0u);
+  hits.double_rays(all, 8, context);
+  const SampledOperator transport(patches, hits, {}, context);
+  const auto bands = patches.band_count();
+  std::vector<float> halves((receivers + hits.elements()) * bands, 0.0f);
+  for (std::uint32_t s = 0; s < 2 * receivers; s += shining) std::fill_n(&halves[s * bands], bands, 1.0f);
+  const std::vector<float> gathered(receivers * bands, 0.5f);
+  const std::vector<double> importance(receivers, 1.0);
+  return gather_errors(patches, transport,
+                       {neighbour_begins(hits.sides(), unit), importance, halves, gathered, 1.0}, context);
+}
+
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 // Where rays count for their senders alone, the noise of each side is due to its own rays.
@@ -115,6 +146,16 @@ TEST(RayAllocation, the_part_of_a_side_is_its_noise_whatever_its_area) {
   EXPECT_GT(small, 0.05);
   EXPECT_LT(small, 0.95);
   EXPECT_NEAR(small_found, small, 0.05) << "5 % is for light that no ray has found yet";
+}
+
+// Otherwise counts would follow chance, and the light would be too low.
+TEST(RayAllocation, neighbours_get_equal_parts_whatever_their_rays_met) {
+  const std::uint32_t unit = 32;
+  const auto parts = parts_of_cube(unit, 7);
+  ASSERT_GT(parts.size(), 3 * unit);
+  for (std::size_t s = 0; s + unit <= parts.size(); s += unit)
+    for (auto i = s; i < s + unit; ++i) EXPECT_NEAR(parts[i], parts[s], 1e-6 * parts[s]) << "side " << i;
+  EXPECT_GT(std::abs(parts[unit] - parts[0]), 1e-3 * parts[0]) << "units differ";
 }
 
 }  // namespace
