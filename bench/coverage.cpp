@@ -62,7 +62,7 @@ class Tally {
     result.intervals = intervals_;
     const auto [mean, variance] =
         mean_and_variance(fractions_.size(), [&](std::size_t k) { return fractions_[k]; });
-    result.smoothing = mean;
+    result.fraction = mean;
     result.error = std::sqrt(variance);
     return result;
   }

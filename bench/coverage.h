@@ -23,7 +23,7 @@ struct KnownLight {
 
 // Coverage of intervals of 95 %, and its standard error from the spread over seeds.
 struct Held {
-  double smoothing = 0.0;
+  double fraction = 0.0;
   double error = 0.0;
   std::size_t intervals = 0;
 };

@@ -61,11 +61,11 @@ Scene white_room(float cell) {
 }
 
 std::string percent(const Held& held) {
-  return fmt::format("{:.1f} +- {:.1f}", 100.0 * held.smoothing, 196.0 * held.error);
+  return fmt::format("{:.1f} +- {:.1f}", 100.0 * held.fraction, 196.0 * held.error);
 }
 
 Json to_json(const Held& held) {
-  return {{"share", held.smoothing}, {"standard_error", held.error}, {"intervals", held.intervals}};
+  return {{"share", held.fraction}, {"standard_error", held.error}, {"intervals", held.intervals}};
 }
 
 Json to_json(const Coverage& c) {

@@ -86,7 +86,8 @@ class SampledOperator {
   // Computes the benefit of a further ray of each receiver: minus the derivative of J = sum of importance *
   // variance of irradiance by the number of the receiver's rays, n = d A, with d its rays per area. J is the
   // sum over receivers of n * worth. The benefit has two parts: the receiver's own row, and the rows of those
-  // that its rays meet. Both are noisy, and follow what rays happened to meet: to be averaged over neighbours.
+  // that its rays meet. Both are noisy, and follow what rays happened to meet: to be averaged over
+  // neighbours.
   //
   //     worth_m = sum over j of F_mj [ I_m (R_j - c_m)^2 / A_m^2 + I_j (R_m - c_j)^2 / A_j^2 ]
   //               / (d_m + d_j)^2
