@@ -102,15 +102,7 @@ class UnevenRoom {
 // the same importance and number of rays. One of `shining` sides shines, so that it is chance which rays meet
 // one.
 std::vector<double> parts_of_cube(std::uint32_t unit, std::uint32_t shining) {
-  truth::SceneBuilder room;
-  room.material("walls", 0.5f, 0.0f)
-      .quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0})
-      .quad({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1})
-      .quad({0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1})
-      .quad({1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0})
-      .quad({0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0})
-      .quad({0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1});
-  const auto patches = make_patches(room.scene(), {.max_edge = 0.1f});
+  const auto patches = make_patches(truth::cube({}), {.max_edge = 0.1f});
   const Tracer tracer(patches, context);
   HitStore hits(patches, all_gather_sides(patches, make_patch_tree(patches, context)), tracer,
                 {.seed = 1, .replicates = 4});
