@@ -89,7 +89,7 @@ TEST(ViewFactors, refuse_in_a_sentence_what_cannot_be) {
            {"-o f.h5 --error 2", 2, "expected a factor"},
            {"-o f.h5 --exact --rays 5", 2, "--exact uses no rays"},
            {"-o f.h5 --between patches --max-edge 0.05 --memory 1MiB", 1, "MiB are allowed"},
-           {"-o f.h5 --exact --max-edge 0.02", 1, "(--max-edge, --force)"},
+           {"-o f.h5 --exact --max-edge 0.006", 1, "(--max-edge, --force)"},  // days; 10 minutes are allowed
            {"-o nowhere/f.h5", 1, "nowhere"},
        }) {
     const auto run =
