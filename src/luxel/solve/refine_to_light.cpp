@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "luxel/solve/level_difference.h"
 #include "luxel/solve/mesh_estimate.h"
 #include "luxel/solve/part_light.h"
+#include "luxel/solve/refine_progress.h"
 #include "luxel/solve/seen_measure.h"
 #include "luxel/solve/trial_cuts.h"
 #include "luxel/trace/tracer.h"
@@ -48,12 +50,6 @@ constexpr double min_level = 1.01;
 // of a solve, where the cost has a bound: some scenes do not come near their error
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
-constexpr double first_light = 0.7;     // fraction of the time that progress expects of the first mesh
-// Time per ray of a later solve over that of the refinement, whose answers come after fewer rays (five
-// rooms).
-constexpr double later_time = 0.55;
-// Its squared error ~ rays^-later_exponent, from the error of such an answer on: measured 0.9 to 1.2.
-constexpr double later_exponent = 1.0;
 
 void check(const RefineOptions& options) {
   if (!(options.mesh_error > 0.0))
@@ -71,9 +67,14 @@ struct Level {
 };
 
 class Refinement {
+  using Clock = std::chrono::steady_clock;
+
  public:
   Refinement(PatchSet patches, const RefineOptions& options, RefineReport& report, const Context& context)
-      : options_(options), report_(report), context_(context) {
+      : options_(options),
+        report_(report),
+        context_(context),
+        progress_(options.later_error, options.later_ray_budget, context) {
     options_.smooth.lights_hidden = false;  // that light is for the eye, and no answer of the solver
     now_.patches = std::move(patches);
   }
@@ -166,30 +167,10 @@ class Refinement {
                     std::min(poorest, std::max(known, light_fraction * options_.mesh_error)));
   }
 
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
   // The monitor of a solve that may take a budget of rays; 0: without a bound.
   Next tell_solve(const Progress& p, std::uint64_t budget) {
-    if (!report_.levels.empty()) return tell(p.rays);
-    expect_later_rays(static_cast<double>(p.rays), p.error);
-    const auto by_rays = budget > 0 ? static_cast<double>(p.rays) / static_cast<double>(budget) : 0.0;
-    const auto done = std::clamp(std::max(p.done, by_rays), 0.0, 1.0);
-    return report({"refine", first_light * done, rays_before_ + p.rays});
-  }
-
-  // Estimates the rays of the solve that follows from the error of a solve with `rays` rays.
-  void expect_later_rays(double rays, double error) {
-    if (options_.later_error == 0.0 || !(error > 0.0) || std::isinf(error)) return;
-    later_rays_ = rays * std::pow(error / options_.later_error, 2.0 / later_exponent);
-    const auto budget = static_cast<double>(options_.later_ray_budget);
-    // The last round may go beyond the budget: is_beyond_budget().
-    if (budget > 0.0) later_rays_ = std::min(later_rays_, 1.2 * budget);
-  }
-
-  Next report(Progress progress) const {
-    if (options_.later_error > 0.0)
-      progress.later = later_rays_ > 0.0 && progress.rays > 0
-                           ? later_time * later_rays_ / static_cast<double>(progress.rays) * progress.done
-                           : -1.0;
-    return context_.report(progress);
+    return report_.levels.empty() ? progress_.report_first_mesh(seconds(), p, budget) : tell(p.rays);
   }
 
   // Reports the present level. rays: since the last answer.
@@ -197,8 +178,8 @@ class Refinement {
     const auto first = static_cast<double>(report_.levels.front().rays);
     const auto later = static_cast<double>(rays_before_ + rays) - first;
     const auto part = allowed_rays_ > first ? std::clamp(later / (allowed_rays_ - first), 0.0, 1.0) : 0.0;
-    return report({"refine", first_light + (1.0 - first_light) * part, rays_before_ + rays,
-                   report_.levels.back().mesh_error});
+    return progress_.report_later_mesh(seconds(), part, rays_before_ + rays,
+                                       report_.levels.back().mesh_error);
   }
   // Between the steps of a level that trace no rays.
   bool is_stopped() const { return !report_.levels.empty() && tell(0) == Next::stop; }
@@ -266,6 +247,7 @@ class Refinement {
     const auto bands = refined.patches.band_count();
     Level next;
     next.patches = std::move(refined.patches);
+    progress_.begin_mesh(next.patches.size());
     const Tracer tracer(next.patches, context_);
     if (report_.levels.empty() ? !solve(next, tracer) : !gather(next, tracer, parent)) return false;
     // The error estimate with the coarser mesh alone: the noise of both is the same then.
@@ -382,8 +364,9 @@ class Refinement {
   MeshEstimate estimate_;  // of the present mesh
   std::uint64_t rays_before_ = 0;
   double allowed_rays_ = 0.0;  // see bound_cost(); 0: unknown, or without a bound
-  double later_rays_ = 0.0;    // of the solve that follows; 0: unknown
-  std::size_t cuts_ = 0;       // decided by the present estimates
+  RefineProgress progress_;
+  Clock::time_point begin_ = Clock::now();
+  std::size_t cuts_ = 0;  // decided by the present estimates
 };
 
 }  // namespace
