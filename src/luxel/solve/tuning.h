@@ -228,8 +228,8 @@ constexpr double sampling_exponent = 0.87;
 // samples. Measured 0.55 to 0.75.
 constexpr double second_pace = 0.72;
 // Additional seconds of an answer per cost of further samples, over the seconds per cost of sampling them:
-// measured 0.07 to 0.14; and the largest value accepted.
-constexpr double answer_slope = 0.1, max_answer_slope = 0.5;
+// measured 0.07 to 0.19; and the largest value accepted.
+constexpr double answer_slope = 0.13, max_answer_slope = 0.5;
 constexpr double overdue =
     0.2;  // time left of an answer that takes longer than forecast, over its time so far
 constexpr int max_rounds = 100;
