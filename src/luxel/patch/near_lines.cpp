@@ -15,13 +15,18 @@
 namespace luxel {
 namespace {
 
-constexpr double narrowest = 1.0;       // height of a triangle that is cut, in distances
-constexpr double shortest = 0.25;       // edge of an outline, in distances
+// Distance up to which things before a triangle cut it, over its height, where that is below `distance`: a
+// patch shows the shadows of wider gaps as well as its size allows.
+constexpr double reach_of_small = 0.1;
+// Shortest edge of an outline, in heights before the triangle; and its bounds, in distances.
+constexpr double shortest_in_heights = 3.0, min_shortest = 0.05, max_shortest = 0.25;
 constexpr double steepest = 0.2;        // difference of an edge's heights over its length
 constexpr double level_cosine = 0.7;    // of a triangle whose edges count, to the plane, at least
 constexpr double standing_reach = 0.2;  // of a surface that stands on the plane, in distances
 constexpr double goes_on_cosine = 0.1;  // of a neighbour's direction, away from the outline
-constexpr double beside_edge = 0.1;     // in distances: a line so near to an edge would make slivers
+// A line so near to an edge would make slivers: in distances, or in heights before the triangle where those
+// are smaller.
+constexpr double beside_edge = 0.1, beside_in_heights = 0.05;
 constexpr std::size_t grain = 8192;
 
 class Finder {
@@ -35,14 +40,14 @@ class Finder {
         max_lines_(most),
         context_(context),
         neighbours_(triangles, positions.size()),
-        is_wide_(triangles.size()) {}
+        height_(triangles.size()) {}
 
   std::vector<ContactLine> find() {
-    const auto all = boxes();  // before a pair asks which triangles are wide
+    const auto all = boxes();  // before a pair asks for the height of a triangle
     return lines_of_pairs(all, max_lines_, context_,
                           [this](std::uint32_t i, std::uint32_t j, std::vector<ContactLine>& lines) {
-                            if (is_wide_[i]) add_lines(i, j, lines);
-                            if (is_wide_[j]) add_lines(j, i, lines);
+                            add_lines(i, j, lines);
+                            add_lines(j, i, lines);
                           });
   }
 
@@ -52,7 +57,11 @@ class Finder {
     return {positions_[c[0]], positions_[c[1]], positions_[c[2]]};
   }
 
-  // Wide triangles reach as far as the distance, others only to themselves.
+  // Distance up to which things before a triangle cut it.
+  double reach(std::size_t i) const {
+    return height_[i] > distance_ ? distance_ : reach_of_small * height_[i];
+  }
+
   std::vector<Bounds> boxes() {
     std::vector<Bounds> result(triangles_.size());
     context_.for_chunks(triangles_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
@@ -60,12 +69,11 @@ class Finder {
         const auto p = points(static_cast<std::uint32_t>(i));
         const auto longest =
             std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
-        const auto height = 2.0 * triangle_area(p[0], p[1], p[2]) / static_cast<double>(longest);
-        is_wide_[i] = height > narrowest * distance_ ? 1 : 0;
-        const auto reach = is_wide_[i] ? static_cast<float>(distance_) : 0.0f;
+        height_[i] = 2.0 * triangle_area(p[0], p[1], p[2]) / static_cast<double>(longest);
+        const auto around = static_cast<float>(reach(i));
         for (const auto& corner : p) {
-          result[i].add(corner - reach);
-          result[i].add(corner + reach);
+          result[i].add(corner - around);
+          result[i].add(corner + around);
         }
       }
     });
@@ -79,16 +87,20 @@ class Finder {
     for (std::size_t k = 0; k < 3; ++k) height[k] = plane.height(Vec3d(positions_[corners[k]]));
     const auto slack =
         slack_roundings * std::max(coordinate_rounding(points(on)), coordinate_rounding(points(other)));
-    const auto is_near = [&](double h) { return h > gap_ + slack && h <= distance_; };
+    const auto is_near = [&](double h) { return h > gap_ + slack && h <= reach(on); };
     for (std::size_t k = 0; k < 3; ++k) {
       const auto l = (k + 1) % 3;
       if (!is_near(height[k]) || !is_near(height[l])) continue;
       const Vec3d a(positions_[corners[k]]), b(positions_[corners[l]]);
       const auto length = glm::distance(a, b);
-      if (length < shortest * distance_ || std::fabs(height[l] - height[k]) > steepest * length) continue;
-      const auto is_close = std::max(height[k], height[l]) <= standing_reach * distance_;
+      const auto higher = std::max(height[k], height[l]);
+      const auto shortest =
+          std::clamp(shortest_in_heights * higher, min_shortest * distance_, max_shortest * distance_);
+      if (length < shortest || std::fabs(height[l] - height[k]) > steepest * length) continue;
+      const auto beside = std::min(beside_edge * distance_, beside_in_heights * higher);
+      const auto is_close = higher <= standing_reach * distance_;
       if (!is_outline(plane.normal, other, k) && !(is_close && is_foot(plane.normal, other, k))) continue;
-      if (const auto line = line_on(plane, plane.foot_point(a), plane.foot_point(b), slack))
+      if (const auto line = line_on(plane, plane.foot_point(a), plane.foot_point(b), beside, slack))
         lines.push_back({.on = on, .other = other, .ends = *line, .into = {plane.normal, Vec3d(0.0)}});
     }
   }
@@ -122,12 +134,12 @@ class Finder {
 
   // The part of a segment in the plane that lies on the triangle, and not along an edge of it.
   std::optional<std::array<Vec3d, 2>> line_on(const FlatTriangle& plane, const Vec3d& p, const Vec3d& q,
-                                              double slack) const {
+                                              double beside, double slack) const {
     const auto interval = interval_on(plane, p, q, slack);
     if (!interval) return std::nullopt;
     const std::array ends{p + interval->begin * (q - p), p + interval->end * (q - p)};
-    if (glm::distance(ends[0], ends[1]) <= beside_edge * distance_) return std::nullopt;
-    if (interval_on_edge(plane, ends[0], ends[1], beside_edge * distance_)) return std::nullopt;
+    if (glm::distance(ends[0], ends[1]) <= beside) return std::nullopt;
+    if (interval_on_edge(plane, ends[0], ends[1], beside)) return std::nullopt;
     return ends;
   }
 
@@ -137,7 +149,7 @@ class Finder {
   std::size_t max_lines_;
   const Context& context_;
   VertexTriangles neighbours_;
-  std::vector<char> is_wide_;
+  std::vector<double> height_;  // m, of each triangle on its longest edge
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -94,6 +95,49 @@ TEST(NearLines, the_floor_is_cut_along_the_foot_of_a_plate_that_does_not_quite_t
   };
   EXPECT_EQ(crossing(0.005f), 0u);
   EXPECT_GT(crossing(0.02f), 0u) << "light passes below it: its shadow is as soft as the gap is wide";
+}
+
+// A sheet of 0.8 m x 0.8 m in cells of 4 cm x 10 cm, and a disc of 10 cm radius and 32 edges of 2 cm before
+// it.
+Scene disc_before_sheet(float gap) {
+  constexpr int columns = 20, rows = 8;
+  SceneBuilder scene;
+  scene.material("wall", 0.5f, 0.0f).quad({-5, -5, -3}, {5, -5, -3}, {5, 5, -3}, {-5, 5, -3});
+  scene.material("sheet", 0.5f, 0.0f);
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const auto at = [&](int x, int y) {
+        return Vec3(0.04f * static_cast<float>(i + x), 0.1f * static_cast<float>(j + y), 0);
+      };
+      scene.quad(at(0, 0), at(1, 0), at(1, 1), at(0, 1));
+    }
+  scene.material("disc", 0.5f, 0.0f);
+  const auto at = [&](int i) {
+    const auto angle = 2.0 * std::numbers::pi * (i % 32) / 32.0;
+    return Vec3(0.413f + 0.1f * static_cast<float>(std::cos(angle)),
+                0.387f + 0.1f * static_cast<float>(std::sin(angle)), gap);
+  };
+  for (int i = 0; i < 32; i += 2) scene.quad({0.413f, 0.387f, gap}, at(i), at(i + 1), at(i + 2));
+  return scene.scene();
+}
+
+double contact_length(const PatchSet& patches) {
+  double length = 0.0;
+  for (const auto& contact : patches.contacts)
+    length +=
+        glm::distance(Vec3d(patches.vertices[contact.edge[0]]), Vec3d(patches.vertices[contact.edge[1]]));
+  return length;
+}
+
+// Its triangles are narrower than the third of an edge up to which wide ones are cut, 10.5 cm. An outline
+// with an opening would let the darkness behind the disc spread from there.
+TEST(NearLines, a_sheet_of_small_triangles_is_cut_along_the_whole_outline_of_a_disc_that_is_glued_on_it) {
+  const auto patches = make_patches(disc_before_sheet(0.002f), {.max_edge = 0.3f});
+  EXPECT_NEAR(contact_length(patches), 64.0 * 0.1 * std::sin(std::numbers::pi / 32.0), 1e-3);
+}
+
+TEST(NearLines, small_triangles_themselves_resolve_the_shadow_of_a_gap_of_a_tenth_of_their_height) {
+  EXPECT_EQ(contact_length(make_patches(disc_before_sheet(0.006f), {.max_edge = 0.3f})), 0.0);
 }
 
 TEST(NearLines, a_surface_is_not_cut_by_what_lies_behind_it) {
