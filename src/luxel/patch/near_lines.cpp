@@ -18,8 +18,10 @@ namespace {
 // Distance up to which things before a triangle cut it, over its height, where that is below `distance`: a
 // patch shows the shadows of wider gaps as well as its size allows.
 constexpr double reach_of_small = 0.1;
-// Shortest edge of an outline, in heights before the triangle; and its bounds, in distances.
-constexpr double shortest_in_heights = 3.0, min_shortest = 0.05, max_shortest = 0.25;
+// Shortest edge of an outline, in heights before the triangle; at least, in distances or in heights of the
+// triangle where those are smaller: what is small beside a patch darkens little of it; and at most, in
+// distances.
+constexpr double shortest_in_heights = 3.0, min_shortest = 0.1, max_shortest = 0.25;
 constexpr double steepest = 0.2;        // difference of an edge's heights over its length
 constexpr double level_cosine = 0.7;    // of a triangle whose edges count, to the plane, at least
 constexpr double standing_reach = 0.2;  // of a surface that stands on the plane, in distances
@@ -95,7 +97,8 @@ class Finder {
       const auto length = glm::distance(a, b);
       const auto higher = std::max(height[k], height[l]);
       const auto shortest =
-          std::clamp(shortest_in_heights * higher, min_shortest * distance_, max_shortest * distance_);
+          std::clamp(shortest_in_heights * higher, min_shortest * std::min(distance_, height_[on]),
+                     max_shortest * distance_);
       if (length < shortest || std::fabs(height[l] - height[k]) > steepest * length) continue;
       const auto beside = std::min(beside_edge * distance_, beside_in_heights * higher);
       const auto is_close = higher <= standing_reach * distance_;
