@@ -20,6 +20,10 @@ namespace {
 constexpr double closed =
     0.01;  // fraction of the surfaces that the sky reaches, below which a room is closed
 constexpr double absorbed = 0.5;  // assumed fraction of the light that a surface absorbs
+// Of the sky on a clear day: its illuminance over that of a surface that faces the sun, and its colour, of
+// luminance 1.
+constexpr double sky_of_sun = 0.12;
+constexpr Vec3 sky_blue(0.65f, 1.03f, 1.77f);
 
 Vec3 white(double lux) { return Vec3(static_cast<float>(lux / luminous_efficacy)); }
 
@@ -32,6 +36,15 @@ void set_sky(const Vec3& up, DefaultSky sky, Scene& scene) {
   }
   scene.sky_patches = SkyPatches(0, Vec3d(up), Vec3d(Frame(up).s));  // any north: the patches have none
   scene.sky_radiance = {radiance * static_cast<float>(default_albedo), radiance};
+}
+
+// The sum over all suns of the illuminance of a surface that faces them, in lm/m² over the luminous efficacy.
+double brightness_of_suns(const Scene& scene) {
+  double sum = 0.0;
+  for (const auto& light : scene.point_lights)
+    if (light.kind == PointLightKind::directional)
+      sum += lumens(light.intensity.r, light.intensity.g, light.intensity.b) / luminous_efficacy;
+  return sum;
 }
 
 double area_of(const Scene& scene, std::size_t triangle) {
@@ -70,10 +83,17 @@ std::vector<std::string> light_lamp_materials(Scene& scene, double flux) {
 }  // namespace
 
 DefaultLight add_default_light(Scene& scene, const Context& context, DefaultSky sky) {
-  if (has_light(scene) || scene.triangles.empty()) return {};
+  const auto suns = has_sky(scene) ? 0.0 : brightness_of_suns(scene);
+  if ((has_light(scene) && !(suns > 0.0)) || scene.triangles.empty()) return {};
   const auto patches = make_patches(scene, {.max_edge = no_max_edge, .contacts = false}, context.quiet());
   const Tracer tracer(patches, context.quiet());
-  if (sky_reach(patches, tracer, context) >= closed) {
+  const bool is_open = sky_reach(patches, tracer, context) >= closed;
+  if (suns > 0.0) {
+    if (!is_open) return {};
+    return {.kind = DefaultLightKind::sun_without_sky,
+            .suitable_sky = sky_blue * static_cast<float>(sky_of_sun * suns / std::numbers::pi)};
+  }
+  if (is_open) {
     set_sky(patches.up, sky, scene);
     return {.kind = DefaultLightKind::daylight};
   }
@@ -93,6 +113,8 @@ std::string DefaultLight::as_text() const {
   switch (kind) {
     case DefaultLightKind::not_needed:
       return {};
+    case DefaultLightKind::sun_without_sky:
+      return "a sun, and no sky around it: the sky stays black; a blue one suits it";
     case DefaultLightKind::daylight:
       return fmt::format("no lamp in the scene: lit by daylight, a uniform sky of {:.0f} lx on open ground",
                          default_daylight);
@@ -111,6 +133,9 @@ std::string DefaultLight::as_text() const {
 
 std::vector<Hint> DefaultLight::hints() const {
   if (kind == DefaultLightKind::not_needed) return {};
+  if (kind == DefaultLightKind::sun_without_sky)
+    return {
+        {Setting::sky, fmt::format("{:.2g},{:.2g},{:.2g}", suitable_sky.r, suitable_sky.g, suitable_sky.b)}};
   return {{Setting::sky, kind == DefaultLightKind::daylight ? "RADIANCE" : "none"}};
 }
 

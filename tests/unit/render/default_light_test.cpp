@@ -96,6 +96,30 @@ TEST_F(DefaultLightTest, a_scene_with_a_lamp_stays_as_it_is) {
   EXPECT_EQ(fingerprint(scene_), before);
 }
 
+TEST_F(DefaultLightTest, of_a_black_sky_around_a_sun_is_told_and_which_would_suit_it) {
+  const auto add_sun = [&] {
+    scene_.point_lights.push_back({});
+    scene_.point_lights.back().kind = PointLightKind::directional;
+    scene_.point_lights.back().intensity = Vec3(150.0f);
+  };
+  scene_ = files_.load_text(Boxes().add({}, room, Facing::outwards).text());
+  add_sun();
+  const auto before = fingerprint(scene_);
+  const auto added = add_default_light(scene_);
+  EXPECT_EQ(added.kind, DefaultLightKind::sun_without_sky);
+  EXPECT_EQ(fingerprint(scene_), before) << "it stays as it is";
+  const auto& sky = added.suitable_sky;
+  EXPECT_NEAR(std::numbers::pi * lumens(sky.r, sky.g, sky.b), 0.12 * lumens(150.0, 150.0, 150.0), 60.0);
+  EXPECT_EQ(added.hints(), (std::vector<Hint>{{Setting::sky, "3.7,5.9,10"}}));
+  EXPECT_FALSE(added.as_text().empty());
+
+  scene_.sky = Vec3(1.0f);
+  EXPECT_EQ(add_default_light(scene_).kind, DefaultLightKind::not_needed) << "there is a sky";
+  scene_ = files_.load_text(Boxes().add({}, room, Facing::inwards).text());
+  add_sun();
+  EXPECT_EQ(add_default_light(scene_).kind, DefaultLightKind::not_needed) << "nothing sees the sky";
+}
+
 TEST_F(DefaultLightTest, a_solid_gets_a_sky_that_gives_the_stated_illuminance) {
   const auto added = light(Boxes().add({}, room, Facing::outwards));
   EXPECT_EQ(added.kind, DefaultLightKind::daylight);
