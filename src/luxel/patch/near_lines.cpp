@@ -64,6 +64,12 @@ class Finder {
     return height_[i] > distance_ ? distance_ : reach_of_small * height_[i];
   }
 
+  // m, of the edges that cut a triangle from that height before it.
+  double shortest_edge(std::size_t on, double height) const {
+    return std::clamp(shortest_in_heights * height, min_shortest * std::min(distance_, height_[on]),
+                      max_shortest * distance_);
+  }
+
   std::vector<Bounds> boxes() {
     std::vector<Bounds> result(triangles_.size());
     context_.for_chunks(triangles_.size(), grain, [&](std::size_t begin, std::size_t end, int) {
@@ -83,6 +89,7 @@ class Finder {
   }
 
   void add_lines(std::uint32_t on, std::uint32_t other, std::vector<ContactLine>& lines) const {
+    if (reach(on) <= gap_) return;
     const FlatTriangle plane(points(on));
     const auto& corners = triangles_[other].corners;
     std::array<double, 3> height{};
@@ -96,10 +103,8 @@ class Finder {
       const Vec3d a(positions_[corners[k]]), b(positions_[corners[l]]);
       const auto length = glm::distance(a, b);
       const auto higher = std::max(height[k], height[l]);
-      const auto shortest =
-          std::clamp(shortest_in_heights * higher, min_shortest * std::min(distance_, height_[on]),
-                     max_shortest * distance_);
-      if (length < shortest || std::fabs(height[l] - height[k]) > steepest * length) continue;
+      if (length < shortest_edge(on, higher) || std::fabs(height[l] - height[k]) > steepest * length)
+        continue;
       const auto beside = std::min(beside_edge * distance_, beside_in_heights * higher);
       const auto is_close = higher <= standing_reach * distance_;
       if (!is_outline(plane.normal, other, k) && !(is_close && is_foot(plane.normal, other, k))) continue;

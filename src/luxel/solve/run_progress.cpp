@@ -28,12 +28,18 @@ void TimeForecast::begin_answer(double seconds) {
   } else {
     phase_ = Phase::first_answer;
   }
+  phase_begin_ = answer_begin_ = seconds;
+}
+
+void TimeForecast::end_iteration(double seconds) {
+  phase_ = Phase::smoothing;
   phase_begin_ = seconds;
 }
 
 void TimeForecast::end_answer(double seconds, double error, double cost, double rays) {
-  if (answers_.empty()) last_sampling_ = {second_pace * phase_begin_, cost};
-  auto own = seconds - phase_begin_;
+  if (answers_.empty()) last_sampling_ = {second_pace * answer_begin_, cost};
+  auto own = seconds - answer_begin_;
+  if (phase_ == Phase::smoothing) last_smoothing_ = seconds - phase_begin_;
   if (answers_.size() >= 2) own = steadied(own, answer_seconds(cost));
   answers_.push_back({own, error * error, cost, rays});
   phase_ = Phase::planning;
@@ -58,11 +64,12 @@ double TimeForecast::left(double seconds, double rays) const {
   if (is_reached(last.squared_error)) return 0.0;
   if (phase_ == Phase::planning) return -1.0;
   const auto next = planned_answer();
+  const auto so_far = seconds - phase_begin_;
   double now = next.seconds;
   if (phase_ == Phase::sampling)
     now += sampling_left(seconds, rays);
   else
-    now = std::max(overdue * (seconds - phase_begin_), next.seconds - (seconds - phase_begin_));
+    now = std::max(overdue * so_far, (phase_ == Phase::smoothing ? last_smoothing_ : next.seconds) - so_far);
   return now + rounds_after(seconds + now, next, count + 1);
 }
 

@@ -48,6 +48,9 @@ class TimeForecast {
   void aim_at(double error) { options_.error = error; }
   // The samples of a round are taken: its answer begins.
   void begin_answer(double seconds);
+  // The iteration of the answer has ended. What follows, smoothing and the stated error, takes as long for
+  // each answer, while the iteration grows with the samples.
+  void end_iteration(double seconds);
   // Ends the answer. error: with its uncertainty; cost and rays: of all samples so far.
   void end_answer(double seconds, double error, double cost, double rays);
   // Begins the next round, with its planned cost, rays and squared error.
@@ -71,7 +74,7 @@ class TimeForecast {
     double seconds = 0.0;
     double cost = 1.0;
   };
-  enum class Phase { first_samples, first_answer, planning, sampling, answering };
+  enum class Phase { first_samples, first_answer, planning, sampling, answering, smoothing };
 
   bool is_reached(double squared_error) const {
     return options_.error > 0.0 && squared_error <= options_.error * options_.error;
@@ -90,7 +93,9 @@ class TimeForecast {
 
   TimeForecastOptions options_;
   Phase phase_ = Phase::first_samples;
-  double phase_begin_ = 0.0;  // seconds
+  double phase_begin_ = 0.0;     // seconds
+  double answer_begin_ = 0.0;    // seconds
+  double last_smoothing_ = 0.0;  // seconds, of the last answer after its iteration; 0: unknown
   std::vector<Answer> answers_;
   Sampling last_sampling_;
   PlannedRound plan_;  // the last one
@@ -109,6 +114,7 @@ class RunProgress {
 
   // Call in this order in every round. error: stated; safe_error: with its uncertainty; cost: of all samples.
   void begin_answer();
+  void end_iteration() { forecast_.end_iteration(worked()); }
   void aim_at(double error) { forecast_.aim_at(error); }  // where the error that ends the run changes
   void end_answer(double error, double safe_error, double cost, std::uint64_t rays);
   void begin_round(const RoundPlan& plan);

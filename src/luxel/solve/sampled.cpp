@@ -193,6 +193,7 @@ class Run {
         *transport_, direct, light_->scattering(), radiosity_, tolerance_for(finest_target()),
         context_.with_monitor([this](const Progress&) { return progress_.report(rays()); }));
     if (solved.is_stopped) return false;
+    progress_.end_iteration();
     auto& gathered = solved.gathered;
     gathered_ = mean_of(gathered, context_);
     const auto enough = [&](const Spread& own) { return error_by_measure(own) <= finest_target(); };

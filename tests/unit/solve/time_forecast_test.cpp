@@ -169,6 +169,23 @@ TEST(TimeForecast, ends_before_the_time_that_ends_the_run) {
   EXPECT_LT(run.seconds() + run.left(), 44.0);
 }
 
+// The iteration takes 1 s in the first two answers and 5 s in the third, what follows 1 s in all.
+TEST(TimeForecast, of_an_answer_counts_what_follows_the_iteration_as_in_the_last_one) {
+  TimeForecast forecast({.error = 0.02});
+  double seconds = 1.0;
+  for (int i = 0; i < 3; ++i) {
+    const auto cost = std::pow(2.0, i);
+    forecast.begin_answer(seconds);
+    forecast.end_iteration(seconds += i < 2 ? 1.0 : 5.0);
+    if (i == 2) break;
+    forecast.end_answer(seconds += 1.0, 0.05 / cost, cost, cost);
+    forecast.begin_round(seconds, {cost, cost, 1e-6});
+    seconds += cost;
+  }
+  EXPECT_DOUBLE_EQ(forecast.left(seconds, 4.0), 1.0);
+  EXPECT_DOUBLE_EQ(forecast.left(seconds + 0.5, 4.0), 0.5);
+}
+
 TEST(TimeForecast, stands_while_it_grows) {
   MadeUp run({.error = 0.02});
   run.answer(0.1);
