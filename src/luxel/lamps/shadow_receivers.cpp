@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t max_rays = 64;        // per edge that look for receivers, and as many shadow rays
 constexpr double rays_per_edge = 12.0;      // per `detail` of the edge's length
 constexpr std::size_t max_receivers = 256;  // per edge
-constexpr double narrowest = 0.05;          // height of a receiver, in `detail`
+constexpr double narrowest = 0.005;         // height of a receiver, in `detail`
 constexpr double shortest = 0.05;           // shadow of a whole edge, in `detail`
 constexpr double move_reach = 2.0;          // distance, in `reach`, from which lines move to edges
 constexpr double widest_penumbra = 0.5;     // in `detail`

@@ -42,8 +42,8 @@ class ShadowReceivers {
 
   // Appends the shadows of an edge. Rays start beside the edge, where it is lit, and go on from the light to
   // the first surface; from there the shadow is followed to the neighbours of each triangle. Triangles of
-  // less height than a twentieth of `detail` are no receivers. Thread-safe. Cost: at most 128 rays and 256
-  // triangles.
+  // less height than a two-hundredth of `detail` are no receivers. Thread-safe. Cost: at most 128 rays and
+  // 256 triangles.
   void add_shadows(std::uint32_t light, const OutlineEdge& edge, std::vector<EdgeShadow>& shadows) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -175,6 +176,39 @@ TEST(ShadowLines, a_box_on_the_floor_has_a_shadow_that_starts_at_its_corners) {
   // From (1,0) and (0,1) by (0.5, 0.25), and the parts of 1 m of the top's two edges.
   EXPECT_NEAR(found, 2.0 + 2.0 * std::hypot(0.5, 0.25), 1e-5);
   EXPECT_LT(nearest, 1e-6);
+}
+
+double sum_of_lengths(const std::vector<ShadowLine>& lines) {
+  double sum = 0.0;
+  for (const auto& line : lines) sum += length(line);
+  return sum;
+}
+
+// A strip of 5 mm across the shadow, a fiftieth of the longest edge, divides the floor: as between the arches
+// of a wall.
+TEST(ShadowLines, a_shadow_goes_on_over_a_narrow_triangle) {
+  truth::SceneBuilder builder;
+  builder.material("floor", 0.5f, 0.0f);
+  for (const auto& [from, to] : {std::pair{-4.0f, 0.1f}, {0.1f, 0.105f}, {0.105f, 4.0f}})
+    builder.quad({-4, from, 0}, {4, from, 0}, {4, to, 0}, {-4, to, 0});
+  builder.material("screen", 0.5f, 0.0f);
+  builder.quad({-0.5f, -0.5f, 1}, {0.5f, -0.5f, 1}, {0.5f, 0.5f, 1}, {-0.5f, 0.5f, 1});
+  auto scene = builder.scene();
+  scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
+  EXPECT_NEAR(sum_of_lengths(lines_of(scene)), 4.0, 1e-4);
+}
+
+// The disc of a sun makes two lines, 2 mm apart below a screen 22 cm above the floor.
+TEST(ShadowLines, a_narrow_penumbra_has_both_its_lines_where_patches_are_large) {
+  auto scene = screen_above_floor({0.0f, 0.0f, 0.22f}).scene();
+  scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
+  scene.point_lights[0].angular_radius = 0.00465f;
+  const auto triangles = make_patches(scene, {.max_edge = no_max_edge, .contacts = false});
+  const Tracer tracer(triangles);
+  const auto lines = find_shadow_lines(
+      triangles, tracer, {.max_edge = 8.0, .detail = 2.0, .contact_gap = 1e-4, .max_patches = 100'000},
+      Context(2));
+  EXPECT_NEAR(sum_of_lengths(lines), 8.0, 1e-2);
 }
 
 TEST(ShadowLines, a_scene_without_lamps_has_the_patches_of_make_patches) {
