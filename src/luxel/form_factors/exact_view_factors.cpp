@@ -60,9 +60,9 @@ std::optional<ViewFactors> exact_view_factors(const PatchSet& patches, const Tra
   if (options.seconds > 0.0 && report.predicted_seconds > options.seconds)
     throw with_hints(
         InputError(fmt::format(
-            "integrating {:.0f} million pairs of patches takes about {:.0f} min on {} threads and {:.0f} "
-            "MiB, "
-            "where {:.0f} min are allowed: larger patches have fewer pairs, and counting rays takes seconds",
+            "integrating {:.0f} million pairs of patches takes about {:.0f} min on {} threads and "
+            "{:.0f} MiB, where {:.0f} min are allowed: larger patches have fewer pairs, and counting rays "
+            "takes seconds",
             1e-6 * static_cast<double>(report.pairs), report.predicted_seconds / 60.0, context.threads(),
             28e-6 * static_cast<double>(elements.size() * elements.size()), options.seconds / 60.0)),
         {{Setting::max_edge}, {Setting::force}});

@@ -20,7 +20,7 @@ namespace {
 constexpr double closed =
     0.01;  // fraction of the surfaces that the sky reaches, below which a room is closed
 constexpr double absorbed = 0.5;  // assumed fraction of the light that a surface absorbs
-// Of the sky on a clear day: its illuminance over that of a surface that faces the sun, and its colour, of
+// The sky of a clear day: its illuminance over that of a surface that faces the sun, and its colour, with
 // luminance 1.
 constexpr double sky_of_sun = 0.12;
 constexpr Vec3 sky_blue(0.65f, 1.03f, 1.77f);

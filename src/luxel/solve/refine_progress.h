@@ -32,7 +32,7 @@ class RefineProgress {
   double later_error_, later_ray_budget_;
   const Context& context_;
   std::size_t patches_ = 0;  // of the present mesh
-  // Of the solve that follows: rays per patch, 0: unknown; and seconds per ray.
+  // The solve that follows: its rays per patch, 0 if unknown, and its seconds per ray.
   double later_rays_ = 0.0, later_pace_ = 0.0;
 };
 

@@ -33,12 +33,15 @@ PointLight sun(const Vec3& direction) {
   return {.name = "sun", .kind = PointLightKind::directional, .direction = glm::normalize(direction)};
 }
 
-std::vector<ShadowLine> lines_of(const Scene& scene, std::size_t max_patches = 100'000,
+std::vector<ShadowLine> lines_of(const Scene& scene, const ShadowLineOptions& options,
                                  const Context& context = Context(2)) {
   const auto triangles = make_patches(scene, {.max_edge = no_max_edge, .contacts = false});
-  const Tracer tracer(triangles);
-  return find_shadow_lines(triangles, tracer,
-                           {.max_edge = max_edge, .contact_gap = 1e-4, .max_patches = max_patches}, context);
+  return find_shadow_lines(triangles, Tracer(triangles), options, context);
+}
+
+std::vector<ShadowLine> lines_of(const Scene& scene, std::size_t max_patches = 100'000,
+                                 const Context& context = Context(2)) {
+  return lines_of(scene, {.max_edge = max_edge, .contact_gap = 1e-4, .max_patches = max_patches}, context);
 }
 
 double distance_to(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
@@ -203,11 +206,8 @@ TEST(ShadowLines, a_narrow_penumbra_has_both_its_lines_where_patches_are_large) 
   auto scene = screen_above_floor({0.0f, 0.0f, 0.22f}).scene();
   scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
   scene.point_lights[0].angular_radius = 0.00465f;
-  const auto triangles = make_patches(scene, {.max_edge = no_max_edge, .contacts = false});
-  const Tracer tracer(triangles);
-  const auto lines = find_shadow_lines(
-      triangles, tracer, {.max_edge = 8.0, .detail = 2.0, .contact_gap = 1e-4, .max_patches = 100'000},
-      Context(2));
+  const auto lines =
+      lines_of(scene, {.max_edge = 8.0, .detail = 2.0, .contact_gap = 1e-4, .max_patches = 100'000});
   EXPECT_NEAR(sum_of_lengths(lines), 8.0, 1e-2);
 }
 

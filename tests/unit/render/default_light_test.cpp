@@ -96,7 +96,7 @@ TEST_F(DefaultLightTest, a_scene_with_a_lamp_stays_as_it_is) {
   EXPECT_EQ(fingerprint(scene_), before);
 }
 
-TEST_F(DefaultLightTest, of_a_black_sky_around_a_sun_is_told_and_which_would_suit_it) {
+TEST_F(DefaultLightTest, a_black_sky_around_a_sun_is_reported_with_the_one_that_suits_it) {
   const auto add_sun = [&] {
     scene_.point_lights.push_back({});
     scene_.point_lights.back().kind = PointLightKind::directional;

@@ -14,7 +14,7 @@ namespace {
 
 // A refinement: the patches of its first mesh, the rays, seconds and error of the first answer there; the
 // patches of the last mesh and the seconds until it; and the seconds that the solve to 2 % then took.
-struct Recorded {
+struct Refinement {
   std::string name;
   std::size_t first_patches;
   std::uint64_t first_rays;
@@ -24,7 +24,7 @@ struct Recorded {
 };
 
 // Runs on two cores.
-const std::vector<Recorded> recorded{
+const std::vector<Refinement> refinements{
     // name, first_patches, first_rays, first_seconds, first_error, patches, seconds, later_seconds
     {"Cornell box", 13'149, 703'274, 0.28, 0.0753, 16'315, 1.0, 0.9},
     {"modern hall", 94'893, 7'318'399, 3.83, 0.0739, 99'856, 8.6, 13.4},
@@ -46,7 +46,7 @@ struct Reports {
 };
 
 TEST(RefineProgress, tells_the_time_of_the_solve_that_follows) {
-  for (const auto& run : recorded) {
+  for (const auto& run : refinements) {
     Reports reports;
     RefineProgress progress(0.02, 0, reports.context);
     progress.begin_mesh(run.first_patches);
