@@ -13,8 +13,9 @@
 namespace luxel {
 namespace {
 
-constexpr double shortest_line = 4.0;  // in reach
-constexpr double same_plane = 0.9999;  // cosine between normals
+constexpr double shortest_line = 4.0;    // in reach
+constexpr double edges_of_corner = 3.0;  // short ones that round a corner
+constexpr double same_plane = 0.9999;    // cosine between normals
 
 // An end of a line that is the shadow of a corner.
 struct CornerShadow {
@@ -26,10 +27,31 @@ struct CornerShadow {
 
 class Joiner {
  public:
-  Joiner(const PatchSet& triangles, std::span<const EdgeShadow> parts, double reach)
-      : triangles_(triangles), parts_(parts), shortest_(shortest_line * reach) {}
+  Joiner(const PatchSet& triangles, std::span<const EdgeShadow> parts,
+         const ShadowReceivers::Lengths& lengths)
+      : triangles_(triangles),
+        parts_(parts),
+        shortest_(shortest_line * lengths.reach),
+        widest_gap_(edges_of_corner * shortest_shadow * lengths.detail) {}
 
   std::vector<EdgeShadow> join() {
+    join_penumbras();
+    close_gaps();
+    return std::move(lines_);
+  }
+
+ private:
+  // An end of a part, in the order of lights and of x.
+  struct End {
+    std::uint32_t light;
+    double x;
+    std::uint32_t part, end;
+
+    auto order() const { return std::tuple(light, x, part, end); }
+  };
+  const Vec3d& point(const End& e) const { return parts_[e.part].ends[e.end]; }
+
+  void join_penumbras() {
     std::vector<CornerShadow> ends;
     for (std::uint32_t i = 0; i < parts_.size(); ++i)
       for (const auto end : {0u, 1u})
@@ -43,18 +65,48 @@ class Joiner {
       const auto end = std::find_if_not(first, ends.end(), same_corner);
       const auto second =
           std::find_if(first, end, [&](const CornerShadow& e) { return e.light != first->light; });
-      if (second != end && (end - 1)->light == second->light) connect(*first, *second);
+      if (second != end && (end - 1)->light == second->light)
+        connect(first->part, first->end, second->part, second->end);
       first = end;
     }
-    return std::move(lines_);
   }
 
- private:
-  void connect(const CornerShadow& a, const CornerShadow& b) {
-    const auto &from = parts_[a.part], &to = parts_[b.part];
+  // Joins ends that nothing continues with the nearest of these, if that is so from both.
+  void close_gaps() {
+    std::vector<End> ends;
+    for (std::uint32_t i = 0; i < parts_.size(); ++i)
+      for (const auto end : {0u, 1u}) ends.push_back({parts_[i].light, parts_[i].ends[end].x, i, end});
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.order() < b.order(); });
+    std::vector<std::uint8_t> is_open(ends.size(), 1);
+    for_near(ends, shortest_, [&](std::size_t i, std::size_t j, double) { is_open[i] = is_open[j] = 0; });
+    std::vector<std::size_t> nearest(ends.size(), ends.size());
+    std::vector<double> gap(ends.size(), widest_gap_);
+    for_near(ends, widest_gap_, [&](std::size_t i, std::size_t j, double distance) {
+      if (is_open[i] == 0 || is_open[j] == 0) return;
+      if (distance < gap[i]) gap[i] = distance, nearest[i] = j;
+      if (distance < gap[j]) gap[j] = distance, nearest[j] = i;
+    });
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      if (i < nearest[i] && nearest[i] < ends.size() && nearest[nearest[i]] == i)
+        connect(ends[i].part, ends[i].end, ends[nearest[i]].part, ends[nearest[i]].end);
+  }
+
+  // Calls body(i, j, distance) for ends of different parts of one light, i < j.
+  template <typename Body>
+  void for_near(const std::vector<End>& ends, double distance, const Body& body) const {
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      for (auto j = i + 1; j < ends.size() && ends[j].light == ends[i].light; ++j) {
+        if (ends[j].x - ends[i].x > distance) break;
+        const auto apart = glm::distance(point(ends[i]), point(ends[j]));
+        if (ends[i].part != ends[j].part && apart <= distance) body(i, j, apart);
+      }
+  }
+
+  void connect(std::uint32_t part, std::uint32_t end, std::uint32_t other, std::uint32_t other_end) {
+    const auto &from = parts_[part], &to = parts_[other];
     if (glm::dot(from.lit_side, to.lit_side) < same_plane) return;
-    add(from, from.ends[a.end], to.ends[b.end]);
-    if (to.triangle != from.triangle) add(to, from.ends[a.end], to.ends[b.end]);
+    add(from, from.ends[end], to.ends[other_end]);
+    if (to.triangle != from.triangle) add(to, from.ends[end], to.ends[other_end]);
   }
 
   // The part of a line from p to q on the triangle of a shadow.
@@ -76,15 +128,15 @@ class Joiner {
 
   const PatchSet& triangles_;
   std::span<const EdgeShadow> parts_;
-  double shortest_;  // m
+  double shortest_, widest_gap_;  // m
   std::vector<EdgeShadow> lines_;
 };
 
 }  // namespace
 
 std::vector<EdgeShadow> corner_lines(const PatchSet& triangles, std::span<const EdgeShadow> parts,
-                                     double reach) {
-  return Joiner(triangles, parts, reach).join();
+                                     const ShadowReceivers::Lengths& lengths) {
+  return Joiner(triangles, parts, lengths).join();
 }
 
 }  // namespace luxel

@@ -12,9 +12,10 @@
 namespace luxel {
 
 struct ShadowLineOptions {
-  double max_edge = 0.0;     // m, above 0: of the patches that are cut along the lines
-  double detail = 0.0;       // m: scale of the shadow features to keep, at most max_edge; 0: max_edge
-  double contact_gap = 0.0;  // m, as for find_contact_lines()
+  double max_edge = 0.0;         // m, above 0: of the patches that are cut along the lines
+  double detail = 0.0;           // m: scale of the shadow features to keep, at most max_edge; 0: max_edge
+  double widest_penumbra = 0.0;  // m: of lines; 0: half of max_edge
+  double contact_gap = 0.0;      // m, as for find_contact_lines()
   std::size_t max_contacts = 200'000;  // as for find_contact_lines()
   std::size_t max_patches = 0;         // that the lines may add; lines of little light are left out
 };
@@ -25,7 +26,7 @@ struct ShadowLineOptions {
 // punctual light makes one line, where light ends. A sun with a disc, or a small lamp with a surface, makes
 // two for each edge, where its penumbra begins and ends: as seen from the two vertices of the lamp that come
 // first and last into sight past the edge. Positions are exact to rounding. Left out are penumbras wider than
-// a quarter of `detail`, which patches follow by themselves, edges nearer to a lamp than three times its
+// `widest_penumbra`, which patches follow by themselves, edges nearer to a lamp than three times its
 // radius, lamps beyond find_lamp_bodies(), shadows of edges shorter than a twentieth of `detail`, those on
 // triangles of less height, and cones of spots, which fade.
 //

@@ -13,10 +13,9 @@
 namespace luxel {
 namespace {
 
-constexpr double from_end = 2.0;         // first and last pair of a part, in reach from its ends
-constexpr double shortest_tested = 6.0;  // in reach: a shorter part is as its neighbours are
-constexpr double pairs_per_edge = 4.0;   // per `detail` of a part's length
-constexpr double max_pairs = 24.0;       // per part
+constexpr double from_end = 2.0;        // first and last pair of a part, in reach from its ends
+constexpr double pairs_per_edge = 4.0;  // per `detail` of a part's length
+constexpr double max_pairs = 24.0;      // per part
 constexpr int bisections = 12;
 constexpr double shortest_part = 4.0;  // in reach
 
@@ -120,13 +119,20 @@ class Tester {
     for (double i = 1.0; i < pairs; i += 1.0) {
       const bool is = test_.divides(at(i));
       if (is != was) {
-        const auto change = bisect(at(i - 1.0), at(i), was);
+        const auto change = moved_to_end(bisect(at(i - 1.0), at(i), was), begin, end);
         if (was) add(from, change);
         from = change;
       }
       was = is;
     }
     if (was) add(from, end);
+  }
+
+  // Close to an end, beside the boundary of the triangle, pairs are too narrow to tell.
+  double moved_to_end(double change, double begin, double end) const {
+    const auto close = shortest_tested * lengths_.reach / length_;
+    if (change - begin < close) return begin;
+    return end - change < close ? end : change;
   }
 
   double bisect(double low, double high, bool at_low) const {

@@ -18,9 +18,8 @@ constexpr std::size_t max_rays = 64;        // per edge that look for receivers,
 constexpr double rays_per_edge = 12.0;      // per `detail` of the edge's length
 constexpr std::size_t max_receivers = 256;  // per edge
 constexpr double narrowest = 0.005;         // height of a receiver, in `detail`
-constexpr double shortest = 0.05;           // shadow of a whole edge, in `detail`
+constexpr double longest_crossing = 3.0;    // of a narrower one that is crossed, in its height
 constexpr double move_reach = 2.0;          // distance, in `reach`, from which lines move to edges
-constexpr double widest_penumbra = 0.5;     // in `detail`
 constexpr double flat_cosine = 0.999;       // of the normals of triangles that continue each other
 
 }  // namespace
@@ -72,18 +71,17 @@ bool ShadowReceivers::add_shadow(std::uint32_t triangle, std::uint32_t light, co
   const ShadowProjection projection(triangles_.point_lights[light].light, plane);
   if (!projection.reaches()) return false;
   if (projection.from_behind() && !triangles_.material_of(triangle).two_sided) return false;
-  const auto longest = std::max({glm::distance(plane.corner[0], plane.corner[1]),
-                                 glm::distance(plane.corner[1], plane.corner[2]),
-                                 glm::distance(plane.corner[2], plane.corner[0])});
-  if (2.0 * static_cast<double>(triangles_.area[triangle]) < narrowest * lengths_.detail * longest)
-    return false;
   const auto slack = slack_roundings * coordinate_rounding(points);
   const auto whole = projection.shadow(edge, slack);
   if (!whole) return false;
   const auto& [p, q] = *whole;
-  if (glm::distance(p, q) < shortest * lengths_.detail) return false;
+  if (glm::distance(p, q) < shortest_shadow * lengths_.detail) return false;
   const auto interval = interval_on(plane, p, q, slack);
   if (!interval) return false;
+  const auto length = (interval->end - interval->begin) * glm::distance(p, q);
+  const auto height = height_of(triangle, plane);
+  const bool is_narrow = height < narrowest * lengths_.detail;
+  if (is_narrow && length > longest_crossing * height) return false;
   EdgeShadow shadow;
   shadow.triangle = triangle;
   shadow.light = light;
@@ -93,11 +91,20 @@ bool ShadowReceivers::add_shadow(std::uint32_t triangle, std::uint32_t light, co
   shadow.penumbra = edge.penumbra;
   if (interval->begin == 0.0 && projection.is_between(edge.a, slack)) shadow.corner[0] = edge.corners[0];
   if (interval->end == 1.0 && projection.is_between(edge.b, slack)) shadow.corner[1] = edge.corners[1];
-  if (!move_to_edge(triangle, shadow)) return true;
+  shadow.is_link = is_narrow || length < shortest_tested * lengths_.reach;
+  if (!shadow.is_link && !move_to_edge(triangle, shadow)) return true;
   if (is_too_soft(shadow, edge)) return true;
   shadow.weight = glm::distance(shadow.ends[0], shadow.ends[1]) * irradiance_at(light, shadow);
   if (shadow.weight > 0.0) shadows.push_back(shadow);
   return true;
+}
+
+// The height on the longest edge, m.
+double ShadowReceivers::height_of(std::uint32_t triangle, const FlatTriangle& plane) const {
+  const auto longest = std::max({glm::distance(plane.corner[0], plane.corner[1]),
+                                 glm::distance(plane.corner[1], plane.corner[2]),
+                                 glm::distance(plane.corner[2], plane.corner[0])});
+  return 2.0 * static_cast<double>(triangles_.area[triangle]) / longest;
 }
 
 // Patches follow a wide penumbra without lines.
@@ -105,7 +112,7 @@ bool ShadowReceivers::is_too_soft(const EdgeShadow& shadow, const OutlineEdge& e
   const auto middle = 0.5 * (shadow.ends[0] + shadow.ends[1]);
   const auto along = edge.b - edge.a;
   const auto t = std::clamp(glm::dot(middle - edge.a, along) / glm::dot(along, along), 0.0, 1.0);
-  return edge.spread * glm::distance(middle, edge.a + t * along) > widest_penumbra * lengths_.detail;
+  return edge.spread * glm::distance(middle, edge.a + t * along) > lengths_.widest_penumbra;
 }
 
 double ShadowReceivers::irradiance_at(std::uint32_t light, const EdgeShadow& shadow) const {

@@ -13,10 +13,10 @@ namespace {
 
 // Patches that lines of shadows may add: half of those of the scene, but at least this many, and no more than
 // the second where all lights have surfaces.
-constexpr std::size_t min_shadow_patches = 4000, max_soft_patches = 20'000;
-// The scale of shadow features, as a fraction of the automatic edge length. It is below 1 because patches of
-// automatic size are refined later.
-constexpr double automatic_detail = 0.25;
+constexpr std::size_t min_shadow_patches = 10'000, max_soft_patches = 20'000;
+// As fractions of the automatic edge length, below 1 because patches of automatic size are refined later: the
+// scale of shadow features, and the widest penumbra with lines, where 1 stands for a given edge length.
+constexpr double automatic_detail = 0.08, automatic_penumbra = 0.125, given_penumbra = 0.5;
 
 std::size_t max_shadow_patches(const Scene& scene, std::size_t patches) {
   const auto most = std::max(min_shadow_patches, patches / 2);
@@ -39,6 +39,8 @@ PatchSet make_patches_for_light(const Scene& scene, PatchOptions options, const 
       find_shadow_lines(triangles, tracer,
                         {.max_edge = static_cast<double>(max_edge),
                          .detail = (is_automatic ? automatic_detail : 1.0) * static_cast<double>(max_edge),
+                         .widest_penumbra = (is_automatic ? automatic_penumbra : given_penumbra) *
+                                            static_cast<double>(max_edge),
                          .contact_gap = static_cast<double>(options.contact_gap),
                          .max_contacts = contact_budget(options, scene.triangles.size()),
                          .max_patches = max_shadow_patches(scene, patches)},

@@ -38,8 +38,8 @@ constexpr std::size_t selected = 3;
 // Fraction of the estimated error that may stay in uncut patches in one pass, and patches to cut at least:
 // small steps follow an edge of light to where it is, rather than around it.
 constexpr double max_unrefined_fraction = 0.7;
-constexpr double usual_step = 0.05, step_of_large_meshes = 0.003;  // fractions of the patches
-constexpr std::size_t large_step = 500;                            // at which the one gives way to the other
+constexpr double usual_step = 0.05, step_of_large_meshes = 0.01;  // fractions of the patches
+constexpr std::size_t large_step = 500;                           // at which the one gives way to the other
 // Trial cuts: rays of the first trial over those of the first light; of a later trial over those of the first
 // trial; and the squared error found over the squared target from which on another trial follows.
 constexpr double trial_part = 2.0 / 3.0, later_trials = 0.25, min_found = 0.02;

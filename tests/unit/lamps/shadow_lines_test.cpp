@@ -3,6 +3,7 @@
 #include "luxel/lamps/shadow_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -199,6 +200,69 @@ TEST(ShadowLines, a_shadow_goes_on_over_a_narrow_triangle) {
   auto scene = builder.scene();
   scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
   EXPECT_NEAR(sum_of_lengths(lines_of(scene)), 4.0, 1e-4);
+}
+
+// Strips of 0.2 mm and 1 mm, cut by their diagonals: too narrow for rays on both sides of a line. Without
+// their pieces the line has gaps, through which light comes to the patches around.
+TEST(ShadowLines, a_shadow_has_no_gap_where_it_crosses_needles) {
+  truth::SceneBuilder builder;
+  builder.material("floor", 0.5f, 0.0f);
+  const std::vector<float> along = {-4.0f, -0.4f, -0.3998f, -0.3996f, 0.0f, 0.001f, 0.2f, 0.2002f, 4.0f};
+  for (std::size_t i = 0; i + 1 < along.size(); ++i)
+    builder.quad({along[i], -4, 0}, {along[i + 1], -4, 0}, {along[i + 1], 4, 0}, {along[i], 4, 0});
+  builder.material("screen", 0.5f, 0.0f);
+  builder.quad({-0.5f, -0.5f, 1}, {0.5f, -0.5f, 1}, {0.5f, 0.5f, 1}, {-0.5f, 0.5f, 1});
+  auto scene = builder.scene();
+  scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
+  EXPECT_NEAR(sum_of_lengths(lines_of(scene)), 4.0, 2e-5);
+}
+
+// A large screen has a shadow over two strips of 2 cm, small screens beside it have shadows of 30 cm. With
+// few patches the line of an edge is whole or absent.
+TEST(ShadowLines, an_edge_has_its_whole_line_or_none) {
+  truth::SceneBuilder builder;
+  builder.material("floor", 0.5f, 0.0f);
+  const std::vector<float> along = {-4.0f, -0.2f, -0.18f, 0.1f, 0.12f, 4.0f};
+  for (std::size_t i = 0; i + 1 < along.size(); ++i)
+    builder.quad({along[i], -4, 0}, {along[i + 1], -4, 0}, {along[i + 1], 4, 0}, {along[i], 4, 0});
+  builder.material("screen", 0.5f, 0.0f);
+  const auto screen = [&](float x, float half) {
+    builder.quad({x - half, -half, 1}, {x + half, -half, 1}, {x + half, half, 1}, {x - half, half, 1});
+  };
+  screen(0.0f, 0.5f);
+  for (const float x : {1.0f, 1.5f, 2.0f, 2.5f, 3.0f}) screen(x, 0.15f);
+  auto scene = builder.scene();
+  scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
+  double all = 0.0;
+  for (const std::size_t limit : {150u, 200u, 250u, 300u, 350u, 500u}) {
+    SCOPED_TRACE(limit);
+    std::array<double, 2> found{};  // along the edges at y = -0.5 and 0.5
+    for (const auto& line : lines_of(scene, limit))
+      for (const auto i : {0u, 1u}) {
+        const auto y = i == 0 ? -0.5 : 0.5;
+        if (std::abs(line.ends[0].y - y) < 1e-5 && std::abs(line.ends[1].y - y) < 1e-5)
+          found[i] += length(line);
+      }
+    for (const auto f : found) EXPECT_NEAR(f, std::round(f), 1e-4);
+    all = found[0] + found[1];
+  }
+  EXPECT_NEAR(all, 2.0, 1e-4);
+}
+
+// A screen whose corners are cut by 6 mm: edges too short for lines of their own.
+TEST(ShadowLines, a_shadow_is_closed_at_blunt_corners) {
+  constexpr float half = 0.5f, cut = 0.494f;
+  truth::SceneBuilder builder;
+  builder.material("floor", 0.5f, 0.0f).quad({-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0});
+  builder.material("screen", 0.5f, 0.0f);
+  const std::vector<Vec3d> outline = {{half, -cut, 0}, {half, cut, 0},   {cut, half, 0},   {-cut, half, 0},
+                                      {-half, cut, 0}, {-half, -cut, 0}, {-cut, -half, 0}, {cut, -half, 0}};
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    builder.triangle({0, 0, 1}, Vec3(outline[i]) + Vec3(0, 0, 1),
+                     Vec3(outline[(i + 1) % outline.size()]) + Vec3(0, 0, 1));
+  auto scene = builder.scene();
+  scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
+  expect_boundary(lines_of(scene), outline);
 }
 
 // The disc of a sun makes two lines, 2 mm apart below a screen 22 cm above the floor.
