@@ -9,14 +9,17 @@
 namespace luxel {
 namespace {
 
-// The error of a solver that stops at a requested error, by this measure.
-std::string error_of_sampled(const SolveReport& solved, double target, ErrorMeasure measure) {
+// The error of a solver that stops at a requested error, by this measure. in_picture: 0: not known.
+std::string error_of_sampled(const SolveReport& solved, double target, ErrorMeasure measure,
+                             double in_picture = 0.0) {
   if (solved.stop == StopReason::nothing_to_do) return "none: no light reaches a surface";
   const bool is_seen = measure == ErrorMeasure::seen && solved.seen_error > 0.0;
   const auto error = is_seen ? solved.seen_error : solved.predicted_error;
   if (!is_known_error(error)) return "not yet known: too few rays";
   auto text = fmt::format("{} {}", percent_of(error),
                           is_seen ? "or less from 95 % of viewpoints" : "on average over all surfaces");
+  if (is_seen && is_known_error(in_picture))
+    text += fmt::format(", {} in the picture", percent_of(in_picture));
   if (target > 0.0) text += fmt::format("; {} requested", percent_of(target));
   return text;
 }
@@ -41,10 +44,10 @@ std::string accuracy_text(const RunReport& report) {
   if (!report.solve) return {};
   const bool is_first_light = report.baked && report.baked->solution.provenance.method == "sampled" &&
                               report.solve->rounds.empty() && report.solve->stop != StopReason::nothing_to_do;
-  auto text = is_first_light ? std::string("not yet known: the run ended at the first light")
-              : report.error_target
-                  ? error_of_sampled(*report.solve, *report.error_target, report.error_measure)
-                  : error_of_classical(*report.solve);
+  auto text = is_first_light        ? std::string("not yet known: the run ended at the first light")
+              : report.error_target ? error_of_sampled(*report.solve, *report.error_target,
+                                                       report.error_measure, report.picture_error)
+                                    : error_of_classical(*report.solve);
   if (report.ended_by_ray_budget) text += "; ended by the rays of this --quality (--ray-budget none goes on)";
   if (report.refine && report.baked)
     text += fmt::format("; from the size of patches {}, {} requested",

@@ -79,6 +79,7 @@ int LightRun::run(BakeStart& start, const Scene* scene) {
           .mesh_error_target = settings_.refine.options(baked.patches.size()).mesh_error,
           .error_target = stage.error_target(),
           .error_measure = settings_.light.sampled.error_measure,
+          .picture_error = written.picture_error,
           .pages = written.pages,
           .camera = written.camera,
           .origin = baked.patches.origin,

@@ -263,6 +263,7 @@ std::string RunReport::as_json() const {
   if (picture) json["picture"] = to_json(*picture, error_target);
   if (pages) json["pages"] = to_json(*pages);
   if (camera) json["camera"] = to_json(*camera, origin);
+  if (picture_error > 0.0) json["picture_error"] = picture_error;
   if (!outputs.empty()) json["outputs"] = outputs;
   if (options) {
     for (const auto& [key, value] : options->values()) json["options"][key] = value;

@@ -351,10 +351,9 @@ std::vector<double> seen_densities(const PatchSet& patches, const Tracer& tracer
   return density;
 }
 
-double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,
-                     const Context& context) {
-  if (solution.standard_error.front.empty()) return 0.0;
-  const auto views = place_views(patches, tracer, context).stating;
+namespace {
+
+double error_in(const Views& views, const PatchSet& patches, const Solution& solution) {
   if (views.size() == 0) return 0.0;
   const auto widening =
       solution.error_degrees_of_freedom > 0.0 ? student_widening(solution.error_degrees_of_freedom) : 1.0;
@@ -378,6 +377,20 @@ double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Soluti
     light.squared_error.push_back(seen.squared_error);
   }
   return SeenError(views, light).percentile_95();
+}
+
+}  // namespace
+
+double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,
+                     const Context& context) {
+  if (solution.standard_error.front.empty()) return 0.0;
+  return error_in(place_views(patches, tracer, context).stating, patches, solution);
+}
+
+double picture_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,
+                        const Camera& camera) {
+  if (solution.standard_error.front.empty()) return 0.0;
+  return error_in(camera_view(patches, tracer, camera), patches, solution);
 }
 
 }  // namespace luxel

@@ -213,6 +213,11 @@ ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Conte
   return sets;
 }
 
+Views camera_view(const PatchSet& patches, const Tracer& tracer, const Camera& camera) {
+  const std::vector<Panorama> looks{look_through(patches, tracer, camera, stream_key(seed, eye_look, 1))};
+  return collect_views(patches, looks, std::vector{1.0f});
+}
+
 ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Context& context,
                      const ViewOptions& options) {
   if (patches.focuses_on_cameras) return camera_views(patches, tracer, context);

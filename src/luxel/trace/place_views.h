@@ -56,4 +56,7 @@ ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Contex
 // about four thousand directions, evenly spread over the picture (4:3).
 ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Context& context);
 
+// Returns the one view of a camera, with as many directions.
+Views camera_view(const PatchSet& patches, const Tracer& tracer, const Camera& camera);
+
 }  // namespace luxel

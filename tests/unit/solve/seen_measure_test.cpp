@@ -67,5 +67,31 @@ TEST(SeenMeasure, a_dark_side_that_is_hidden_counts_no_more_than_bright_ones_tha
   EXPECT_LE(hidden, 1.001 * shown) << "at their own brightness alone they would count 400 times as much";
 }
 
+// A camera looks straight at one wall of a cube in even light; that wall alone is known well. There
+// s / (L + 0.05 a) is the standard error over 1.05 of the light.
+TEST(SeenMeasure, the_error_in_a_picture_is_of_what_the_camera_sees) {
+  truth::SceneBuilder builder;
+  builder.material("room", 0.5f, 0.0f);
+  add_walls(builder, 0.0f, 3.0f);
+  const auto patches = make_patches(builder.scene(), {.max_edge = 0.5f});
+  const Tracer tracer(patches, Context{2});
+  Solution solution;
+  const auto bands = patches.band_count();
+  const std::vector<float> light(patches.size() * bands, 8.0f);
+  solution.irradiance = {light, light};
+  solution.standard_error = {light, light};
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (std::size_t b = 0; b < bands; ++b)
+      if (patches.normal[p].x > 0.5f) solution.standard_error.front[p * bands + b] = 0.8f;
+  const Camera at_wall{
+      .eye = {2.9f, 1.5f, 1.5f}, .target = {0, 1.5f, 1.5f}, .up = {0, 1, 0}, .vertical_fov = 30};
+  EXPECT_NEAR(picture_error_of(patches, tracer, solution, at_wall), 0.1 / 1.05, 1e-6);
+  const Camera away{
+      .eye = {0.1f, 1.5f, 1.5f}, .target = {3, 1.5f, 1.5f}, .up = {0, 1, 0}, .vertical_fov = 30};
+  EXPECT_NEAR(picture_error_of(patches, tracer, solution, away), 1.0 / 1.05, 1e-6);
+  solution.standard_error = {};
+  EXPECT_EQ(picture_error_of(patches, tracer, solution, away), 0.0) << "not known";
+}
+
 }  // namespace
 }  // namespace luxel
