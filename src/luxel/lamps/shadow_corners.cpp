@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "luxel/core/none.h"
+#include "luxel/core/point_cells.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/flat_triangle.h"
 
@@ -41,15 +42,8 @@ class Joiner {
   }
 
  private:
-  // An end of a part, in the order of lights and of x.
-  struct End {
-    std::uint32_t light;
-    double x;
-    std::uint32_t part, end;
-
-    auto order() const { return std::tuple(light, x, part, end); }
-  };
-  const Vec3d& point(const End& e) const { return parts_[e.part].ends[e.end]; }
+  // Ends of parts are numbered: 2 * part + end.
+  const Vec3d& point(std::uint32_t end) const { return parts_[end / 2].ends[end % 2]; }
 
   void join_penumbras() {
     std::vector<CornerShadow> ends;
@@ -73,33 +67,34 @@ class Joiner {
 
   // Joins ends that nothing continues with the nearest of these, if that is so from both.
   void close_gaps() {
-    std::vector<End> ends;
-    for (std::uint32_t i = 0; i < parts_.size(); ++i)
-      for (const auto end : {0u, 1u}) ends.push_back({parts_[i].light, parts_[i].ends[end].x, i, end});
-    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.order() < b.order(); });
-    std::vector<std::uint8_t> is_open(ends.size(), 1);
-    for_near(ends, shortest_, [&](std::size_t i, std::size_t j, double) { is_open[i] = is_open[j] = 0; });
-    std::vector<std::size_t> nearest(ends.size(), ends.size());
-    std::vector<double> gap(ends.size(), widest_gap_);
-    for_near(ends, widest_gap_, [&](std::size_t i, std::size_t j, double distance) {
-      if (is_open[i] == 0 || is_open[j] == 0) return;
-      if (distance < gap[i]) gap[i] = distance, nearest[i] = j;
-      if (distance < gap[j]) gap[j] = distance, nearest[j] = i;
-    });
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      if (i < nearest[i] && nearest[i] < ends.size() && nearest[nearest[i]] == i)
-        connect(ends[i].part, ends[i].end, ends[nearest[i]].part, ends[nearest[i]].end);
+    std::vector<PointCells::Point> points;
+    for (std::uint32_t e = 0; e < 2 * parts_.size(); ++e) points.push_back({point(e), e});
+    const PointCells cells(points, widest_gap_);
+    std::vector<std::uint8_t> is_open(points.size(), 1);
+    for (std::uint32_t e = 0; e < points.size(); ++e)
+      for_near(cells, e, shortest_, [&](std::uint32_t, double) { is_open[e] = 0; });
+    std::vector<std::uint32_t> nearest(points.size(), none);
+    for (std::uint32_t e = 0; e < points.size(); ++e) {
+      if (is_open[e] == 0) continue;
+      auto gap = widest_gap_;
+      for_near(cells, e, widest_gap_, [&](std::uint32_t other, double distance) {
+        if (is_open[other] != 0 && distance < gap) gap = distance, nearest[e] = other;
+      });
+    }
+    for (std::uint32_t e = 0; e < points.size(); ++e)
+      if (nearest[e] != none && e < nearest[e] && nearest[nearest[e]] == e)
+        connect(e / 2, e % 2, nearest[e] / 2, nearest[e] % 2);
   }
 
-  // Calls body(i, j, distance) for ends of different parts of one light, i < j.
+  // Calls body(other, distance) for ends of other parts of the same light.
   template <typename Body>
-  void for_near(const std::vector<End>& ends, double distance, const Body& body) const {
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      for (auto j = i + 1; j < ends.size() && ends[j].light == ends[i].light; ++j) {
-        if (ends[j].x - ends[i].x > distance) break;
-        const auto apart = glm::distance(point(ends[i]), point(ends[j]));
-        if (ends[i].part != ends[j].part && apart <= distance) body(i, j, apart);
-      }
+  void for_near(const PointCells& cells, std::uint32_t end, double within, const Body& body) const {
+    const auto& at = point(end);
+    cells.for_each_in(at - within, at + within, [&](std::uint32_t other) {
+      if (other / 2 == end / 2 || parts_[other / 2].light != parts_[end / 2].light) return;
+      const auto distance = glm::distance(at, point(other));
+      if (distance <= within) body(other, distance);
+    });
   }
 
   void connect(std::uint32_t part, std::uint32_t end, std::uint32_t other, std::uint32_t other_end) {

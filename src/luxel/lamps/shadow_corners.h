@@ -9,17 +9,16 @@
 
 namespace luxel {
 
-// Corners of outlines that the shadows of edges leave open.
+// Closes the lines of shadows at corners of outlines, where the shadows of edges leave them open:
+// - Penumbras. Where two edges of an outline meet, and different vertices of a lamp are the first (or the last)
+//   to be seen past them, the shadows of the corner from these vertices are the ends of two lines, and the
+//   penumbra ends between them along the shadow of the lamp's edge.
+// - Blunt corners. Their edges are too short for lines of their own (shortest_shadow), and the lines beside
+//   them end nearer to each other than three times that.
 //
-// Penumbras: where two edges of an outline meet, and different vertices of a lamp
-// are the first (or the last) to be seen past them, the shadows of the corner from these vertices are the
-// ends of two lines, and the penumbra ends between them along the shadow of the lamp's edge.
-// Rounded corners: their edges are too short for lines of their own, and the lines beside them end nearer to
-// each other than three of these.
-//
-// Returns the lines from end to end, on the triangles of both ends, each with the weight of its neighbour.
-// parts: as true_parts() found them, of all triangles. Lines of four times lengths.reach or less are left
-// out. Cost: two sorts.
+// Returns lines from end to end, on the triangles of both ends, each with the weight of its neighbour. parts:
+// as true_parts() found them, of all triangles. Lines of four times lengths.reach or less are left out. Cost:
+// sorts.
 std::vector<EdgeShadow> corner_lines(const PatchSet& triangles, std::span<const EdgeShadow> parts,
                                      const ShadowReceivers::Lengths& lengths);
 

@@ -33,7 +33,8 @@ constexpr double reach_roundings = 256.0;  // the same, at least, in roundings o
 // Patches that lines add. Measured: 3.0 to 3.3 per line in four scenes, where most lines are shorter than
 // max_edge. A long line crosses about 2.5 patches per max_edge, each of which becomes three.
 constexpr double patches_per_line = 3.0, patches_per_edge = 5.0;
-constexpr double edges_per_line = 24.0;  // candidates that are looked at, per line that is wanted
+// Candidates that are looked at, per line that is wanted: most edges have several shadows.
+constexpr double edges_per_line = 8.0, shadows_per_line = 24.0;
 constexpr std::size_t edges_grain = 64, edges_per_report = 1 << 14;
 constexpr double min_lines = 64.0;
 constexpr std::size_t max_bodies = 32;        // lamps with surfaces that are looked at
@@ -66,7 +67,7 @@ class Finder {
     auto shadows = shadows_of(edges);
     if (!shadows || shadows->empty()) return {};
     sort_by_benefit(*shadows);
-    keep_whole_edges(*shadows, max_edges());
+    keep_whole_edges(*shadows, max_candidates(shadows_per_line));
     const auto links = std::stable_partition(shadows->begin(), shadows->end(),
                                              [](const EdgeShadow& s) { return !s.is_link; });
     std::stable_sort(shadows->begin(), links,
@@ -102,10 +103,11 @@ class Finder {
     return std::max(reach_of_edge * detail, reach_roundings * 0x1p-24 * largest);
   }
 
-  std::size_t max_edges() const {
+  std::size_t max_candidates(double per_line) const {
     const auto lines = static_cast<double>(options_.max_patches) / (patches_per_line + patches_per_edge);
-    return static_cast<std::size_t>(edges_per_line * std::max(min_lines, lines));
+    return static_cast<std::size_t>(per_line * std::max(min_lines, lines));
   }
+  std::size_t max_edges() const { return max_candidates(edges_per_line); }
 
   template <typename Item, typename Weight>
   static void keep_first(std::vector<Item>& items, std::size_t count, const Weight& weight) {
