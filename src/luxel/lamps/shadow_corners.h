@@ -10,7 +10,8 @@
 namespace luxel {
 
 // Closes the lines of shadows at corners of outlines, where the shadows of edges leave them open:
-// - Penumbras. Where two edges of an outline meet, and different vertices of a lamp are the first (or the last)
+// - Penumbras. Where two edges of an outline meet, and different vertices of a lamp are the first (or the
+// last)
 //   to be seen past them, the shadows of the corner from these vertices are the ends of two lines, and the
 //   penumbra ends between them along the shadow of the lamp's edge.
 // - Blunt corners. Their edges are too short for lines of their own (shortest_shadow), and the lines beside
