@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/cli/light_run.h"
 
+#include <algorithm>
 #include <exception>
 
 #include <fmt/format.h>
@@ -14,12 +15,21 @@
 #include "luxel/core/error.h"
 #include "luxel/core/work_partition.h"
 #include "luxel/runs/quantity.h"
+#include "luxel/solve/seen_measure.h"
 
 namespace luxel {
 namespace {
 
 // The fraction of the remaining time, after the solve, for what follows the gathering of texels.
 constexpr double end_of_texels = 0.3;
+
+// The seen error in the pictures; 0: there is none, or they show gathered light.
+double error_in_pictures(const Written& written, const PictureSettings& settings, const Baked& baked,
+                         const Tracer& tracer) {
+  const bool has_picture = std::any_of(written.files.begin(), written.files.end(), is_picture);
+  if (!has_picture || settings.gather > 0) return 0.0;
+  return picture_error_of(baked.patches, tracer, baked.solution, *written.camera);
+}
 
 }  // namespace
 
@@ -66,6 +76,7 @@ int LightRun::run(BakeStart& start, const Scene* scene) {
     failure = std::current_exception();
   }
   auto written = write_outputs(baked, &stage.tracer(), outputs, place, {samples.get(), samples});
+  const auto picture_error = error_in_pictures(written, settings_.picture, baked, stage.tracer());
   for (const auto& file : steps.write(baked, stage.tracer(), written.camera, outputs, place)) {
     written.files.push_back(file);
     console_.wrote(file);
@@ -79,7 +90,7 @@ int LightRun::run(BakeStart& start, const Scene* scene) {
           .mesh_error_target = settings_.refine.options(baked.patches.size()).mesh_error,
           .error_target = stage.error_target(),
           .error_measure = settings_.light.sampled.error_measure,
-          .picture_error = written.picture_error,
+          .picture_error = picture_error,
           .pages = written.pages,
           .camera = written.camera,
           .origin = baked.patches.origin,

@@ -36,7 +36,7 @@ struct RunReport {
   std::optional<double> error_target = {};          // of the solve, a fraction; 0: no target was set
   ErrorMeasure error_measure = ErrorMeasure::seen;  // of that target
   std::optional<PictureRecord> picture = {};
-  double picture_error = 0.0;  // Written::picture_error
+  double picture_error = 0.0;  // seen in the picture; 0: not known, or no picture of the patches
   std::optional<PagesRecord> pages = {};
   std::optional<Camera> camera = {};
   Vec3d origin = Vec3d(0.0);  // that the camera counts from

@@ -14,7 +14,6 @@
 namespace luxel {
 namespace {
 
-constexpr double shortest_line = 4.0;    // in reach
 constexpr double edges_of_corner = 3.0;  // short ones that round a corner
 constexpr double same_plane = 0.9999;    // cosine between normals
 

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double beside = 2.0;          // in reach: lines that are nearer to each other are one
 constexpr double parallel_sine = 0.05;  // between lines that may be one
-constexpr double shortest_left = 4.0;   // in reach: what two lines leave of each other
 
 // The box of a line and its surroundings.
 Box<Vec3d> box_around(const EdgeShadow& line, double margin) {
@@ -52,8 +51,8 @@ std::vector<EdgeShadow> left_of(const EdgeShadow& part, const std::vector<EdgeSh
         continue;
       }
       const auto length = glm::distance(l.ends[0], l.ends[1]);
-      if (hidden.begin * length > shortest_left * reach) next.push_back(part_of(l, {0.0, hidden.begin}));
-      if ((1.0 - hidden.end) * length > shortest_left * reach) next.push_back(part_of(l, {hidden.end, 1.0}));
+      if (hidden.begin * length > shortest_line * reach) next.push_back(part_of(l, {0.0, hidden.begin}));
+      if ((1.0 - hidden.end) * length > shortest_line * reach) next.push_back(part_of(l, {hidden.end, 1.0}));
     }
     left = std::move(next);
   }

@@ -123,14 +123,15 @@ class Finder {
     struct Whole {
       double weight = 0.0, patches = 0.0;
     };
-    std::map<std::uint32_t, Whole> of_edge;
+    std::vector<Whole> of_edge;
     for (const auto& s : shadows) {
+      if (s.edge >= of_edge.size()) of_edge.resize(s.edge + std::size_t{1});
       auto& whole = of_edge[s.edge];
       whole.weight += s.weight;
       whole.patches += patches_added(s);
     }
     const auto key = [&](const EdgeShadow& s) {
-      const auto& whole = of_edge.at(s.edge);
+      const auto& whole = of_edge[s.edge];
       return std::pair(-whole.weight / whole.patches, s.edge);
     };
     std::stable_sort(shadows.begin(), shadows.end(),

@@ -16,8 +16,6 @@ struct Piece {
   Vec3d begin, end;
 };
 
-Vec3d direction_of(const EdgeShadow& s) { return glm::normalize(s.ends[1] - s.ends[0]); }
-
 Piece piece_of(const EdgeShadow& s, bool is_part, const Vec3d& way) {
   const bool runs_back = glm::dot(s.ends[1] - s.ends[0], way) < 0.0;
   return {&s, is_part, s.ends[runs_back ? 1 : 0], s.ends[runs_back ? 0 : 1]};
@@ -57,7 +55,7 @@ std::vector<EdgeShadow> joining_links(std::span<const EdgeShadow> links, std::sp
     const auto last = std::upper_bound(first, of_edges.end(), *first, by_edge);
     const auto [begin, end] = std::equal_range(some_parts.begin(), some_parts.end(), *first, by_edge);
     if (begin != end) {
-      const auto way = direction_of(**begin);
+      const auto way = (*begin)->ends[1] - (*begin)->ends[0];
       pieces.clear();
       for (auto s = first; s != last; ++s) pieces.push_back(piece_of(**s, false, way));
       for (auto s = begin; s != end; ++s) pieces.push_back(piece_of(**s, true, way));

@@ -17,7 +17,6 @@ constexpr double from_end = 2.0;        // first and last pair of a part, in rea
 constexpr double pairs_per_edge = 4.0;  // per `detail` of a part's length
 constexpr double max_pairs = 24.0;      // per part
 constexpr int bisections = 12;
-constexpr double shortest_part = 4.0;  // in reach
 
 // A segment in the plane of the triangle, in a basis of two unit vectors, m.
 struct Segment {
@@ -162,7 +161,7 @@ std::vector<EdgeShadow> true_parts(const PatchSet& triangles, const Tracer& trac
     const ShadowTest test(triangles, tracer, shadows[i], lengths.reach);
     const auto length = glm::distance(shadows[i].ends[0], shadows[i].ends[1]);
     for (const auto& interval : Tester(test, length, lengths).intervals(cuts[i]))
-      if ((interval.end - interval.begin) * length > shortest_part * lengths.reach)
+      if ((interval.end - interval.begin) * length > shortest_line * lengths.reach)
         parts.push_back(part_of(shadows[i], interval));
   }
   return without_doubles(std::move(parts), lengths.reach);

@@ -79,7 +79,7 @@ bool ShadowReceivers::add_shadow(std::uint32_t triangle, std::uint32_t light, co
   const auto interval = interval_on(plane, p, q, slack);
   if (!interval) return false;
   const auto length = (interval->end - interval->begin) * glm::distance(p, q);
-  const auto height = height_of(triangle, plane);
+  const auto height = plane.smallest_height();
   const bool is_narrow = height < narrowest * lengths_.detail;
   if (is_narrow && length > longest_crossing * height) return false;
   EdgeShadow shadow;
@@ -97,14 +97,6 @@ bool ShadowReceivers::add_shadow(std::uint32_t triangle, std::uint32_t light, co
   shadow.weight = glm::distance(shadow.ends[0], shadow.ends[1]) * irradiance_at(light, shadow);
   if (shadow.weight > 0.0) shadows.push_back(shadow);
   return true;
-}
-
-// The height on the longest edge, m.
-double ShadowReceivers::height_of(std::uint32_t triangle, const FlatTriangle& plane) const {
-  const auto longest = std::max({glm::distance(plane.corner[0], plane.corner[1]),
-                                 glm::distance(plane.corner[1], plane.corner[2]),
-                                 glm::distance(plane.corner[2], plane.corner[0])});
-  return 2.0 * static_cast<double>(triangles_.area[triangle]) / longest;
 }
 
 // Patches follow a wide penumbra without lines.

@@ -7,7 +7,6 @@
 
 #include "luxel/core/vector.h"
 #include "luxel/lamps/outline_edges.h"
-#include "luxel/patch/flat_triangle.h"
 #include "luxel/patch/patch_set.h"
 #include "luxel/patch/vertex_triangles.h"
 #include "luxel/scene/point_light.h"
@@ -17,6 +16,8 @@ namespace luxel {
 
 // Shadows shorter than this, in `reach`, are not tested.
 inline constexpr double shortest_tested = 6.0;
+// Shorter pieces of lines, in `reach`, are left out.
+inline constexpr double shortest_line = 4.0;
 // Shadows of whole edges that are shorter than this, in `detail`, are left out.
 inline constexpr double shortest_shadow = 0.05;
 
@@ -62,7 +63,6 @@ class ShadowReceivers {
                   std::vector<EdgeShadow>& shadows) const;
   bool move_to_edge(std::uint32_t triangle, EdgeShadow& shadow) const;
   bool is_too_soft(const EdgeShadow& shadow, const OutlineEdge& edge) const;
-  double height_of(std::uint32_t triangle, const FlatTriangle& plane) const;
   bool goes_on(std::uint32_t triangle, std::size_t k) const;
   double irradiance_at(std::uint32_t light, const EdgeShadow& shadow) const;
 

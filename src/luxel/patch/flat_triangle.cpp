@@ -23,6 +23,10 @@ FlatTriangle::FlatTriangle(const std::array<Vec3, 3>& corners, const Vec3d& norm
 FlatTriangle::FlatTriangle(const std::array<Vec3, 3>& corners)
     : FlatTriangle(corners, area_vector2(corners[0], corners[1], corners[2])) {}
 
+double FlatTriangle::smallest_height() const {
+  return std::min({inside(0, corner[2]), inside(1, corner[0]), inside(2, corner[1])});
+}
+
 double FlatTriangle::along(std::size_t k, const Vec3d& p) const {
   const auto edge = corner[(k + 1) % 3] - corner[k];
   return glm::dot(p - corner[k], edge) / glm::dot(edge, edge);

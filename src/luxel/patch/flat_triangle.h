@@ -25,6 +25,7 @@ struct FlatTriangle {
   double height(const Vec3d& p) const { return glm::dot(normal, p - corner[0]); }
   // Distance from edge k's line, above 0 inside.
   double inside(std::size_t k, const Vec3d& p) const { return glm::dot(inward[k], p - corner[k]); }
+  double smallest_height() const;  // m, of a corner over the edge that faces it
   Vec3d foot_point(const Vec3d& p) const { return p - height(p) * normal; }
   // Position of p along edge k: 0 and 1 are its ends.
   double along(std::size_t k, const Vec3d& p) const;

@@ -18,7 +18,6 @@
 #include "luxel/render/photometric_picture.h"
 #include "luxel/runs/mesh_output.h"
 #include "luxel/runs/page_output.h"
-#include "luxel/solve/seen_measure.h"
 #include "luxel/surface/hidden_sides.h"
 
 namespace luxel {
@@ -309,8 +308,6 @@ class OutputWriter {
     if (picture_) return;
     picture_ = place_.record.stage("picture", [&](auto& stage) { return drawn(stage); });
     written_.stopped |= is_interrupted_here();
-    if (settings_.picture.gather == 0)
-      written_.picture_error = picture_error_of(baked_.patches, *tracer_, baked_.solution, *written_.camera);
   }
   Picture drawn(RunRecord::Stage& stage) {
     const auto& picture = settings_.picture;

@@ -53,7 +53,6 @@ struct StoredSamples {
 struct Written {
   std::vector<std::string> files;
   std::optional<Camera> camera;      // of the pictures, if any was taken; from the patches' origin
-  double picture_error = 0.0;        // seen in the picture; 0: not known, or no picture of the patches
   std::optional<PagesRecord> pages;  // of the last mesh that has its light on pages
   bool stopped = false;  // Ctrl-C while a picture or pages were made: they are missing or incomplete
 };

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -28,6 +27,21 @@ truth::SceneBuilder screen_above_floor(const Vec3& centre) {
   const auto at = [&](float x, float y) { return centre + Vec3(x, y, 0.0f); };
   builder.quad(at(-0.5f, -0.5f), at(0.5f, -0.5f), at(0.5f, 0.5f), at(-0.5f, 0.5f));
   return builder;
+}
+
+// The same floor in strips along y, cut at these places of x.
+truth::SceneBuilder floor_of_strips(const std::vector<float>& cuts) {
+  truth::SceneBuilder builder;
+  builder.material("floor", 0.5f, 0.0f);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    builder.quad({cuts[i], -4, 0}, {cuts[i + 1], -4, 0}, {cuts[i + 1], 4, 0}, {cuts[i], 4, 0});
+  builder.material("screen", 0.5f, 0.0f);
+  return builder;
+}
+
+// A square at a height of 1 m.
+void add_screen(truth::SceneBuilder& builder, float x, float half) {
+  builder.quad({x - half, -half, 1}, {x + half, -half, 1}, {x + half, half, 1}, {x - half, half, 1});
 }
 
 PointLight sun(const Vec3& direction) {
@@ -191,12 +205,8 @@ double sum_of_lengths(const std::vector<ShadowLine>& lines) {
 // A strip of 5 mm across the shadow, a fiftieth of the longest edge, divides the floor: as between the arches
 // of a wall.
 TEST(ShadowLines, a_shadow_goes_on_over_a_narrow_triangle) {
-  truth::SceneBuilder builder;
-  builder.material("floor", 0.5f, 0.0f);
-  for (const auto& [from, to] : {std::pair{-4.0f, 0.1f}, {0.1f, 0.105f}, {0.105f, 4.0f}})
-    builder.quad({-4, from, 0}, {4, from, 0}, {4, to, 0}, {-4, to, 0});
-  builder.material("screen", 0.5f, 0.0f);
-  builder.quad({-0.5f, -0.5f, 1}, {0.5f, -0.5f, 1}, {0.5f, 0.5f, 1}, {-0.5f, 0.5f, 1});
+  auto builder = floor_of_strips({-4.0f, 0.1f, 0.105f, 4.0f});
+  add_screen(builder, 0.0f, 0.5f);
   auto scene = builder.scene();
   scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
   EXPECT_NEAR(sum_of_lengths(lines_of(scene)), 4.0, 1e-4);
@@ -205,13 +215,8 @@ TEST(ShadowLines, a_shadow_goes_on_over_a_narrow_triangle) {
 // Strips of 0.2 mm and 1 mm, cut by their diagonals: too narrow for rays on both sides of a line. Without
 // their pieces the line has gaps, through which light comes to the patches around.
 TEST(ShadowLines, a_shadow_has_no_gap_where_it_crosses_needles) {
-  truth::SceneBuilder builder;
-  builder.material("floor", 0.5f, 0.0f);
-  const std::vector<float> along = {-4.0f, -0.4f, -0.3998f, -0.3996f, 0.0f, 0.001f, 0.2f, 0.2002f, 4.0f};
-  for (std::size_t i = 0; i + 1 < along.size(); ++i)
-    builder.quad({along[i], -4, 0}, {along[i + 1], -4, 0}, {along[i + 1], 4, 0}, {along[i], 4, 0});
-  builder.material("screen", 0.5f, 0.0f);
-  builder.quad({-0.5f, -0.5f, 1}, {0.5f, -0.5f, 1}, {0.5f, 0.5f, 1}, {-0.5f, 0.5f, 1});
+  auto builder = floor_of_strips({-4.0f, -0.4f, -0.3998f, -0.3996f, 0.0f, 0.001f, 0.2f, 0.2002f, 4.0f});
+  add_screen(builder, 0.0f, 0.5f);
   auto scene = builder.scene();
   scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
   EXPECT_NEAR(sum_of_lengths(lines_of(scene)), 4.0, 2e-5);
@@ -220,17 +225,9 @@ TEST(ShadowLines, a_shadow_has_no_gap_where_it_crosses_needles) {
 // A large screen has a shadow over two strips of 2 cm, small screens beside it have shadows of 30 cm. With
 // few patches the line of an edge is whole or absent.
 TEST(ShadowLines, an_edge_has_its_whole_line_or_none) {
-  truth::SceneBuilder builder;
-  builder.material("floor", 0.5f, 0.0f);
-  const std::vector<float> along = {-4.0f, -0.2f, -0.18f, 0.1f, 0.12f, 4.0f};
-  for (std::size_t i = 0; i + 1 < along.size(); ++i)
-    builder.quad({along[i], -4, 0}, {along[i + 1], -4, 0}, {along[i + 1], 4, 0}, {along[i], 4, 0});
-  builder.material("screen", 0.5f, 0.0f);
-  const auto screen = [&](float x, float half) {
-    builder.quad({x - half, -half, 1}, {x + half, -half, 1}, {x + half, half, 1}, {x - half, half, 1});
-  };
-  screen(0.0f, 0.5f);
-  for (const float x : {1.0f, 1.5f, 2.0f, 2.5f, 3.0f}) screen(x, 0.15f);
+  auto builder = floor_of_strips({-4.0f, -0.2f, -0.18f, 0.1f, 0.12f, 4.0f});
+  add_screen(builder, 0.0f, 0.5f);
+  for (const float x : {1.0f, 1.5f, 2.0f, 2.5f, 3.0f}) add_screen(builder, x, 0.15f);
   auto scene = builder.scene();
   scene.point_lights = {sun({0.0f, 0.0f, -1.0f})};
   double all = 0.0;
