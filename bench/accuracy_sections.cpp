@@ -77,7 +77,7 @@ constexpr Switch switches[] = {{"low_discrepancy", &SampledOptions::low_discrepa
                                {"importance", &SampledOptions::importance},
                                {"control_variate", &SampledOptions::control_variate},
                                {"multiple_importance", &SampledOptions::multiple_importance},
-                               {"share", &SampledOptions::smoothing}};
+                               {"smoothing", &SampledOptions::smoothing}};
 
 }  // namespace
 
@@ -98,7 +98,7 @@ Json error_against_time(const Settings& settings) {
     auto scene = head_of(stage, reference);
     scene["methods"] = {
         method_of("sampled", sampled_runs(stage, reference, {}, errors, longest, context)),
-        method_of("sampled, unshared",
+        method_of("sampled, without smoothing",
                   sampled_runs(stage, reference, {.smoothing = false}, errors, longest, context)),
         // Its rays are stratified over the patches by systematic sampling and otherwise use plain random
         // numbers; with plain random numbers alone it would be slightly worse.
@@ -114,7 +114,7 @@ Json variance_reduction(const Settings& settings) {
                                          {"two rooms, 10,000", two_rooms, 10'000, 20.0}};
   const std::vector<double> errors = {0.03, 0.015, 0.0075};
   const double longest = settings.small ? 1.0 : 20.0;
-  fmt::print("\nvariance: cost of 1 % with each switch turned, over the default's\n");
+  fmt::print("\nvariance: cost of 1 % with each switch changed, over the default's\n");
   const Context context;
   Json scenes = Json::array();
   for (const auto& subject : subjects) {
@@ -138,7 +138,7 @@ Json variance_reduction(const Settings& settings) {
       fmt::print("{:>26} {:>10.3f} {:>10.2f} {:>10.3f} {:>10.2f} {}\n", word, price.cpu_seconds, cpu_ratio,
                  1e-6 * price.rays, ray_ratio, price.how);
       rows.push_back({{"switch", name},
-                      {"turned", options.*field ? "on" : "off"},
+                      {"state", options.*field ? "on" : "off"},
                       {"to_one_per_cent", to_json(price)},
                       {"cpu_ratio", cpu_ratio},
                       {"ray_ratio", ray_ratio}});

@@ -67,7 +67,7 @@ std::string percent(const Held& held) {
 }
 
 Json to_json(const Held& held) {
-  return {{"share", held.fraction}, {"standard_error", held.error}, {"intervals", held.intervals}};
+  return {{"fraction", held.fraction}, {"standard_error", held.error}, {"intervals", held.intervals}};
 }
 
 Json to_json(const Coverage& c) {

@@ -24,7 +24,7 @@ Json against_facets(const Settings& settings);            // shadow rays to bulb
 Json luminaires_against_lamps(const Settings& settings);  // photometric files against square lamps
 Json against_threads(const Settings& settings);           // threads
 Json error_against_time(const Settings& settings);        // each method on each scene
-Json variance_reduction(const Settings& settings);        // each switch of the sampled solver turned
+Json variance_reduction(const Settings& settings);        // each switch of the sampled solver changed
 Json stated_against_true(const Settings& settings);       // intervals and the seen error against known light
 Json cost_per_patch(const Settings& settings);            // from 2,000 to a million patches
 Json ray_order(const Settings& settings);            // rays as they are traced against the same rays shuffled
