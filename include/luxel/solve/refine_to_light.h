@@ -27,8 +27,9 @@ struct RefineOptions {
   double max_cost = 0.0;
   std::uint64_t free_rays = 20'000'000;  ///< that max_cost allows in any case: some 20 s of one core
   /// Options of the solves, of the first mesh and of the last. Their error: the larger of the mesh error that
-  /// is left and twice the target, but at most 10 % seen (3 % of the power); or the error given here if it is
-  /// larger.
+  /// is left and twice the target, but at most 10 % seen (3 % of the power). With max_cost only the first
+  /// mesh is solved, to mesh_error, by at most 0.4 of free_rays or 64 rays per side. The error given here
+  /// counts if it is larger.
   SampledOptions light = {};
   SmoothOptions smooth = {};  ///< how light is reconstructed from patches: its error is what counts
   /// The solve that follows, for Progress::later alone: its requested error and SampledOptions::ray_budget.

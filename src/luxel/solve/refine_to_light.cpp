@@ -35,6 +35,9 @@ constexpr double aim = 0.8;  // of the allowed squared error: the target of the 
 // were kept, where it made them large they were replaced. Against the light solved again: 2.7 and 3.1 in two
 // rooms after 4 and 6 cuts; 0.8 after one.
 constexpr std::size_t selected = 3;
+// By how much they are too small besides where no solve confirms them: the residual of a patch that was not
+// cut shows 0.27 of its squared error, and half is assumed.
+constexpr double unconfirmed = 1.36;
 // Fraction of the estimated error that may stay in uncut patches in one pass, and patches to cut at least:
 // small steps follow an edge of light to where it is, rather than around it.
 constexpr double max_unrefined_fraction = 0.7;
@@ -47,7 +50,8 @@ constexpr int max_trials = 5;
 constexpr double min_gain = 0.1;  // of the squared error in patches that are cut, for another level
 // patches over those before, for another level, where the cost has a bound
 constexpr double min_level = 1.01;
-// of a solve, where the cost has a bound: some scenes do not come near their error
+// At most, of a solve, where the cost has a bound: some scenes do not come near their error.
+constexpr double part_of_free_rays = 0.4;
 constexpr std::uint64_t rays_per_side = 64;
 constexpr double rays_exponent = 1.15;  // squared error of a solve ~ rays^-rays_exponent
 
@@ -123,7 +127,8 @@ class Refinement {
   }
 
   double mesh_error() const {
-    return static_cast<double>(std::clamp<std::size_t>(cuts_, 1, selected)) * estimate_.error();
+    const auto excess = static_cast<double>(std::clamp<std::size_t>(cuts_, 1, selected));
+    return (can_look_again() ? excess : unconfirmed * excess) * estimate_.error();
   }
 
   // Estimates that can still be confirmed are believed until then.
@@ -159,8 +164,11 @@ class Refinement {
     return options_.max_cost == 0.0 || static_cast<double>(rays_before_ + rays) <= allowed_rays_;
   }
 
-  // How accurately to solve each mesh: a rough solution suffices while the error is large.
+  // How accurately to solve each mesh: a rough solution suffices while the error is large and another solve
+  // follows. Where the cost has a bound, one light is the base of all cuts, and rough light hides what needs
+  // cutting: smoothing is wide then.
   double light_error() const {
+    if (options_.max_cost > 0.0) return std::max(options_.light.error, options_.mesh_error);
     const auto poorest = options_.light.error_measure == ErrorMeasure::power ? poorest_power : poorest_seen;
     const auto known = report_.levels.empty() ? poorest : report_.levels.back().mesh_error;
     return std::max(options_.light.error,
@@ -194,10 +202,14 @@ class Refinement {
   bool solve(Level& level, const Tracer& tracer) {
     auto how = options_.light;
     how.error = light_error();
-    if (options_.max_cost > 0.0)
-      how.ray_budget = std::max(options_.free_rays / 4, rays_per_side * side_count(level.patches.size()));
+    if (options_.max_cost > 0.0) {
+      how.ray_budget = 0;
+      how.rays =
+          std::max(static_cast<std::uint64_t>(part_of_free_rays * static_cast<double>(options_.free_rays)),
+                   rays_per_side * side_count(level.patches.size()));
+    }
     how.seed = seed_of(0);
-    const auto on_the_way = [&](const Progress& p) { return tell_solve(p, how.ray_budget); };
+    const auto on_the_way = [&](const Progress& p) { return tell_solve(p, how.rays); };
     Solution whole;
     std::array<Solution, 2> halves;
     const auto solved = solve_sampled(level.patches, tracer, whole, how, {.halves = &halves},
@@ -333,8 +345,9 @@ class Refinement {
       left += squared[p];
     }
     sort_by_weight(beyond_noise(squared, noise), order);
-    const auto target =
-        options_.mesh_error / static_cast<double>(can_look_again() ? 1 : std::min(selected, cuts_ + 1));
+    const auto excess =
+        can_look_again() ? 1.0 : unconfirmed * static_cast<double>(std::min(selected, cuts_ + 1));
+    const auto target = options_.mesh_error / excess;
     const auto aimed = aim * target * target * (1.0 - left_by_halving);
     const auto least = is_last ? left : max_unrefined_fraction * left;
     const auto size = static_cast<double>(now_.patches.size());
