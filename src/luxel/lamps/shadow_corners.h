@@ -10,10 +10,9 @@
 namespace luxel {
 
 // Closes the lines of shadows at corners of outlines, where the shadows of edges leave them open:
-// - Penumbras. Where two edges of an outline meet, and different vertices of a lamp are the first (or the
-// last)
-//   to be seen past them, the shadows of the corner from these vertices are the ends of two lines, and the
-//   penumbra ends between them along the shadow of the lamp's edge.
+// - Penumbras. Different vertices of a lamp may be the first, or the last, to be seen past two edges that
+//   meet. The shadows of the corner from these vertices are then the ends of two lines, and the penumbra ends
+//   between them along the shadow of the lamp's edge.
 // - Blunt corners. Their edges are too short for lines of their own (shortest_shadow), and the lines beside
 //   them end nearer to each other than three times that.
 //
