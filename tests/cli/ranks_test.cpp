@@ -100,8 +100,8 @@ TEST_F(Ranks, a_rank_that_dies_ends_the_run_and_the_checkpoint_goes_on_with_anot
   EXPECT_TRUE(read_file(folder / "end.vtkhdf") == read_file(folder / "whole.vtkhdf"));
 }
 
-// The second rank stands still for twelve seconds as soon as there is a checkpoint; on a busy machine it
-// waits for the first one for some of them, while that writes files.
+// The second rank stands still for six seconds as soon as there is a checkpoint; on a busy machine it waits
+// for the first one for some of them, while that writes files.
 TEST_F(Ranks, a_slow_one_ends_nothing_is_named_and_changes_no_byte) {
   const auto folder = fresh_folder("ranks_slow");
   ASSERT_EQ(cli::run(folder, fine_bake + "--error 1% -o whole.vtkhdf --quiet").code, 0);
@@ -110,7 +110,7 @@ TEST_F(Ranks, a_slow_one_ends_nothing_is_named_and_changes_no_byte) {
       mpirun(2) + fine_bake +
           "--error 1% --checkpoint run.vtkhdf --every 0 -o end.vtkhdf "
           "& pid=$!; while [ ! -e run.vtkhdf ]; do sleep 0.02; kill -0 $pid || exit 9; done; "
-          "slow=$(pgrep -P $pid | sed -n 2p); kill -STOP $slow; sleep 12; kill -CONT $slow; wait $pid");
+          "slow=$(pgrep -P $pid | sed -n 2p); kill -STOP $slow; sleep 6; kill -CONT $slow; wait $pid");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.err.find("rank 1 of 2 is slow: each of the others waited"), std::string::npos) << run.err;
   EXPECT_TRUE(read_file(folder / "end.vtkhdf") == read_file(folder / "whole.vtkhdf"));

@@ -132,20 +132,21 @@ class MpiRanks final : public Ranks {
       traffic_.bytes += bytes_come;
     }
     ~Wait() {
-      traffic_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+      traffic_.seconds += std::chrono::duration<double>(last_look_ - begin_).count();
       traffic_.processor_seconds += processor_seconds_of_thread() - processor_begin_;
     }
     Wait(const Wait&) = delete;
     Wait& operator=(const Wait&) = delete;
 
+    // The first look counts from the beginning of the wait: the rank may stand still while it starts the
+    // requests.
     void until_done(std::span<MPI_Request> requests) {
       constexpr std::chrono::seconds longest_look{1};  // a look may copy a large message
-      auto last = std::chrono::steady_clock::now();
       for (int is_done = 0; !is_done;) {
         MPI_Testall(static_cast<int>(requests.size()), requests.data(), &is_done, MPI_STATUSES_IGNORE);
         const auto now = std::chrono::steady_clock::now();
-        if (now - last > longest_look) begin_ += now - last;
-        last = now;
+        if (now - last_look_ > longest_look) begin_ += now - last_look_;
+        last_look_ = now;
         if (!is_done) std::this_thread::yield();
       }
     }
@@ -153,6 +154,7 @@ class MpiRanks final : public Ranks {
    private:
     Traffic& traffic_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point last_look_ = begin_;
     double processor_begin_ = processor_seconds_of_thread();
   };
 
