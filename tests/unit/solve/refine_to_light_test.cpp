@@ -163,6 +163,62 @@ TEST(RefineToLight, it_begins_no_level_beyond_the_cost_allowed) {
   EXPECT_EQ(report.mesh_error, report.levels[1].mesh_error);
 }
 
+void add_box(truth::SceneBuilder& b, const Vec3& low, const Vec3& high) {
+  const auto corner = [&](int i) {
+    return Vec3((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z);
+  };
+  constexpr int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                               {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto& f : faces) b.quad(corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3]));
+}
+
+// A pavilion of 4 m under an even sky: floor, roof, eight posts and two rails.
+Scene pavilion() {
+  truth::SceneBuilder b;
+  b.material("floor", 0.5f, 0.0f);
+  add_box(b, {-2, -2, -0.2f}, {2, 2, 0});
+  for (const auto y : {-1.9f, 1.8f}) add_box(b, {-1.9f, y, 0.9f}, {1.9f, y + 0.1f, 1});
+  b.material("wood", 0.15f, 0.0f);
+  add_box(b, {-2, -2, 2.5f}, {2, 2, 2.6f});
+  for (const auto x : {-1.9f, -0.6f, 0.6f, 1.8f})
+    for (const auto y : {-1.9f, 1.8f}) add_box(b, {x, y, 0}, {x + 0.1f, y + 0.1f, 2.5f});
+  auto scene = b.scene();
+  scene.sky = Vec3(1.0f);
+  return scene;
+}
+
+// A room of 1 m with two blocks and a lamp below the ceiling.
+Scene room_with_blocks() {
+  truth::SceneBuilder b;
+  b.material("wall", 0.7f, 0.0f);
+  add_box(b, {0, 0, 0}, {1, 1, 1});
+  b.material("block", 0.6f, 0.0f);
+  add_box(b, {0.15f, 0.55f, 0}, {0.45f, 0.85f, 0.6f});
+  add_box(b, {0.55f, 0.15f, 0}, {0.85f, 0.45f, 0.3f});
+  b.material("lamp", 0.0f, 20.0f);
+  add_box(b, {0.4f, 0.4f, 0.96f}, {0.6f, 0.6f, 0.98f});
+  return b.scene();
+}
+
+// The error that ends the refinement, from the rough light that decided about the cuts, against that of light
+// solved well on the same mesh: high after cuts, where it allows for their selection.
+TEST(RefineToLight, states_the_error_of_the_mesh_where_the_cost_has_a_bound) {
+  const Context context(2);
+  for (const auto& scene : {pavilion(), room_with_blocks()}) {
+    RefineReport report;
+    const auto patches = refine_to_light(make_patches(scene, {.target_count = RefineOptions::coarse_patches}),
+                                         {.mesh_error = 0.02, .max_cost = 0.5}, report, context);
+    EXPECT_EQ(report.stop, RefineStop::mesh_error_reached);
+    std::array<Solution, 2> halves;
+    Solution solution;
+    const Tracer tracer(patches, context);
+    solve_sampled(patches, tracer, solution, {.error = 0.01, .seed = 7}, {.halves = &halves}, context);
+    const auto found = mesh_error_of(patches, tracer, halves, ErrorMeasure::seen, {}, context);
+    EXPECT_GT(report.mesh_error, found / 1.5);
+    EXPECT_LT(report.mesh_error, 3.0 * found);
+  }
+}
+
 // A black plate far below has nearly all the area; the views are in the room.
 TEST(RefineToLight, walls_are_cut_before_the_first_light_by_what_the_views_see_of_them) {
   auto b = truth::SceneBuilder();
