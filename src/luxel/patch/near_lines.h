@@ -20,8 +20,7 @@ namespace luxel {
 //   or, within a fifth of `distance`, is the foot of a surface that stands on the plane, as the back edge of
 //   a shelf that does not quite touch the wall;
 // - it is longer than three of its heights before the plane; but at least a tenth of `distance`, or of the
-// height
-//   of `on` if that is lower; and at most a quarter of `distance`.
+//   height of `on` if that is lower; and at most a quarter of `distance`.
 // They are lines as find_contact_lines() gives them where a triangle lies flat on another one, in the same
 // order, with `into` along the normal of `on`. An outline has no openings where it crosses edges of
 // triangles: the darkness would spread from there.
