@@ -9,13 +9,24 @@
 
 #include "luxel/core/barycentric.h"
 #include "luxel/patch/side.h"
+#include "luxel/solve/curved_faces.h"
 
 namespace luxel {
 namespace {
 
 using Pair = std::array<double, 2>;  // of both solutions
 
-// differences(patch, back, band, add): calls add(weight, pair) for each term of the mean over a patch side.
+// Of terms of the mean over a patch side.
+struct Sum {
+  double squared = 0.0, noise = 0.0;
+  void add(double weight, const Pair& d) {
+    const auto half = 0.5 * (d[0] - d[1]);
+    squared += weight * d[0] * d[1];
+    noise += weight * half * half;
+  }
+};
+
+// differences(patch, back, band): the sum for a patch side.
 template <typename Differences>
 FieldDifference summed(const PatchSet& patches, const Context& context, const Differences& differences) {
   constexpr std::size_t chunk = 4096;
@@ -29,12 +40,11 @@ FieldDifference summed(const PatchSet& patches, const Context& context, const Di
     context.for_chunks(patches.size(), chunk, [&](std::size_t begin, std::size_t end, int) {
       for (auto p = begin; p < end; ++p) {
         if (back && !patches.material_of(p).two_sided) continue;
-        for (std::size_t b = 0; b < bands; ++b)
-          differences(p, back, b, [&](double weight, const Pair& d) {
-            const auto half = 0.5 * (d[0] - d[1]);
-            squared[p * bands + b] += weight * d[0] * d[1];
-            noise[p * bands + b] += weight * half * half;
-          });
+        for (std::size_t b = 0; b < bands; ++b) {
+          const auto sum = differences(p, back, b);
+          squared[p * bands + b] = sum.squared;
+          noise[p * bands + b] = sum.noise;
+        }
       }
     });
   }
@@ -55,6 +65,29 @@ double field_at(const Answer& answer, std::size_t patch, const Vec3d& weights, b
     sum += weights[k] * static_cast<double>(light[corners[static_cast<std::size_t>(k)] * bands + band]);
   return sum;
 }
+
+// The field within the face of a patch alone, at the centroid of the patch.
+double field_within_face(const CurvedFaces& faces, const Answer& answer, std::size_t patch, bool back,
+                         std::size_t band) {
+  double field = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = 0.0, count = 0.0;
+    faces.for_patches_at(patch, k, [&](std::size_t p) {
+      sum += mean_at(answer, p, back, band);
+      ++count;
+    });
+    field += sum / count / 3.0;
+  }
+  return field;
+}
+
+Sum sum_of(const Pair& d) {
+  Sum sum;
+  sum.add(1.0, d);
+  return sum;
+}
+
+Sum smaller(const Sum& a, const Sum& b) { return b.squared < a.squared ? b : a; }
 
 }  // namespace
 
@@ -93,12 +126,15 @@ FieldDifference difference_of_levels(const PatchSet& wholes, const Answers& coar
                                      const Answers& fine, std::span<const std::uint32_t> parent,
                                      const Context& context) {
   assert(parent.size() == parts.size());
-  return summed(parts, context, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
+  const CurvedFaces faces(wholes, coarse[0].smooth);
+  return summed(parts, context, [&](std::size_t p, bool back, std::size_t b) {
     const auto weights = barycentric(wholes.points(parent[p]), parts.centroid(p));
-    Pair d;
-    for (std::size_t i = 0; i < 2; ++i)
+    Pair d, within;
+    for (std::size_t i = 0; i < 2; ++i) {
       d[i] = mean_at(fine[i], p, back, b) - field_at(coarse[i], parent[p], weights, back, b);
-    add(1.0, d);
+      within[i] = mean_at(fine[i], p, back, b) - mean_at(coarse[i], parent[p], back, b);
+    }
+    return faces.has(parent[p]) ? smaller(sum_of(d), sum_of(within)) : sum_of(d);
   });
 }
 
@@ -108,32 +144,47 @@ FieldDifference variation_within_wholes(const PatchSet& wholes, const Answers& c
   std::vector<std::size_t> begin(wholes.size() + 1, 0);  // [whole]: its first part
   for (const auto whole : parent) ++begin[whole + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  return summed(wholes, context, [&](std::size_t whole, bool back, std::size_t b, const auto& add) {
-    const auto fraction = [&](std::size_t part) {
-      return static_cast<double>(parts.area[part]) / static_cast<double>(wholes.area[whole]);
-    };
-    std::vector<Pair> differences;
-    Pair mean{};
-    for (auto part = begin[whole]; part < begin[whole + 1]; ++part) {
-      const auto weights = barycentric(wholes.points(whole), parts.centroid(part));
-      auto& d = differences.emplace_back();
-      for (std::size_t i = 0; i < 2; ++i) {
-        d[i] = mean_at(fine[i], part, back, b) - field_at(coarse[i], whole, weights, back, b);
-        mean[i] += fraction(part) * d[i];
+  const CurvedFaces faces(wholes, coarse[0].smooth);
+  return summed(wholes, context, [&](std::size_t whole, bool back, std::size_t b) {
+    // The variation of the parts less that of a field: field(answer, part).
+    const auto variation = [&](const auto& field) {
+      const auto fraction = [&](std::size_t part) {
+        return static_cast<double>(parts.area[part]) / static_cast<double>(wholes.area[whole]);
+      };
+      std::vector<Pair> differences;
+      Pair mean{};
+      for (auto part = begin[whole]; part < begin[whole + 1]; ++part) {
+        auto& d = differences.emplace_back();
+        for (std::size_t i = 0; i < 2; ++i) {
+          d[i] = mean_at(fine[i], part, back, b) - field(i, part);
+          mean[i] += fraction(part) * d[i];
+        }
       }
-    }
-    for (std::size_t k = 0; k < differences.size(); ++k)
-      add(fraction(begin[whole] + k), {differences[k][0] - mean[0], differences[k][1] - mean[1]});
+      Sum sum;
+      for (std::size_t k = 0; k < differences.size(); ++k)
+        sum.add(fraction(begin[whole] + k), {differences[k][0] - mean[0], differences[k][1] - mean[1]});
+      return sum;
+    };
+    const auto sum = variation([&](std::size_t i, std::size_t part) {
+      const auto weights = barycentric(wholes.points(whole), parts.centroid(part));
+      return field_at(coarse[i], whole, weights, back, b);
+    });
+    if (!faces.has(whole)) return sum;
+    return smaller(sum, variation([](std::size_t, std::size_t) { return 0.0; }));
   });
 }
 
 FieldDifference residual_within_patches(const PatchSet& patches, const Answers& answers,
                                         const Context& context) {
-  return summed(patches, context, [&](std::size_t p, bool back, std::size_t b, const auto& add) {
-    Pair d;
-    for (std::size_t i = 0; i < 2; ++i)
+  const CurvedFaces faces(patches, answers[0].smooth);
+  return summed(patches, context, [&](std::size_t p, bool back, std::size_t b) {
+    Pair d, within{};
+    for (std::size_t i = 0; i < 2; ++i) {
       d[i] = field_at(answers[i], p, Vec3d(1.0 / 3.0), back, b) - mean_at(answers[i], p, back, b);
-    add(1.0, d);
+      if (faces.has(p))
+        within[i] = field_within_face(faces, answers[i], p, back, b) - mean_at(answers[i], p, back, b);
+    }
+    return faces.has(p) ? smaller(sum_of(d), sum_of(within)) : sum_of(d);
   });
 }
 

@@ -24,7 +24,8 @@ using Answers = std::array<Answer, 2>;
 // The mean of both, with its errors.
 Solution mean_of(const Answers& answers);
 
-// Squared differences of irradiance per side and band, in the mean over the patch: [patch][band], (W/m²)².
+// Squared differences of irradiance per side and band, in the mean over the patch: [patch][band], (W/m²)². On
+// a face of a curved surface (curved_faces.h) from the field or, where that is smaller, within the face.
 struct FieldDifference {
   FrontAndBack<double> squared;  // the product of both answers' differences: unbiased, so below 0 in places
   FrontAndBack<double> noise;    // of the mean of both, in squares: from how they differ from each other
