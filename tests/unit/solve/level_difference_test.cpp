@@ -17,15 +17,15 @@ namespace {
 
 constexpr int faces = 24;
 
-// A column of 24 flat faces, or its first face alone.
-PatchSet column(int count) {
+// A round column of 24 flat faces.
+PatchSet column() {
   truth::SceneBuilder b;
   b.material("column", 0.5f, 0.0f);
   const auto corner = [](int i, float z) {
     const auto angle = 2.0f * 3.14159265f * static_cast<float>(i) / faces;
     return Vec3(std::cos(angle), std::sin(angle), z);
   };
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < faces; ++i)
     b.quad(corner(i, 0.0f), corner(i + 1, 0.0f), corner(i + 1, 1.0f), corner(i, 1.0f));
   return make_patches(b.scene(), {.max_edge = no_max_edge});
 }
@@ -59,18 +59,13 @@ float with_shadow(const PatchSet& patches, std::size_t p) {
   return patches.centroid(p).z < 0.5f ? 0.2f : by_normal(patches, p);
 }
 
-struct Levels {
-  PatchSet wholes;
-  RefinedPatches parts;
-};
-
-Levels cut_all(PatchSet wholes) {
-  auto parts = refine_patches(wholes, std::vector<std::uint8_t>(wholes.size(), 1));
-  return {std::move(wholes), std::move(parts)};
+RefinedPatches cut_all(const PatchSet& wholes) {
+  return refine_patches(wholes, std::vector<std::uint8_t>(wholes.size(), 1));
 }
 
 TEST(LevelDifference, light_that_steps_from_face_to_face_of_a_curved_surface_asks_for_no_cuts) {
-  const auto [wholes, parts] = cut_all(column(faces));
+  const auto wholes = column();
+  const auto parts = cut_all(wholes);
   const auto& fine = parts.patches;
   const auto coarse = answers_of(wholes, [&](std::size_t p) { return by_normal(wholes, p); });
   const auto steps = answers_of(fine, [&](std::size_t p) { return by_normal(fine, p); });
@@ -80,7 +75,8 @@ TEST(LevelDifference, light_that_steps_from_face_to_face_of_a_curved_surface_ask
 }
 
 TEST(LevelDifference, a_shadow_on_a_curved_surface_asks_for_cuts) {
-  const auto [wholes, parts] = cut_all(column(faces));
+  const auto wholes = column();
+  const auto parts = cut_all(wholes);
   const auto& fine = parts.patches;
   const auto coarse = answers_of(wholes, [&](std::size_t p) { return 0.5f * (0.2f + by_normal(wholes, p)); });
   const auto shadowed = answers_of(fine, [&](std::size_t p) { return with_shadow(fine, p); });
