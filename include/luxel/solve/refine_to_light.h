@@ -75,7 +75,7 @@ struct RefineReport {
 /// and more where it is smooth: the mesh error is the root of twice the sum. Each side is weighted by its
 /// importance for the seen error, as if its difference were a standard error (trace/seen_error.h); with
 /// ErrorMeasure::power, and where the scene has no open space, by its area over the squared light of the
-/// scene.
+/// scene. On a face of a curved surface, such as a ball, only what differs within the face counts.
 ///
 /// The mean of a patch does not show how light varies within it. So after the first light patches are cut on
 /// trial, first those that are large as seen from the views; the cuts remain where the parts differ by more
