@@ -87,7 +87,9 @@ Sum sum_of(const Pair& d) {
   return sum;
 }
 
-Sum smaller(const Sum& a, const Sum& b) { return b.squared < a.squared ? b : a; }
+// Of two differences the smaller one in the mean of both answers, whose square is the sum of `squared` and
+// `noise`. By `squared` alone noise would choose what is below 0.
+Sum smaller(const Sum& a, const Sum& b) { return b.squared + b.noise < a.squared + a.noise ? b : a; }
 
 }  // namespace
 
