@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "luxel/patch/refine_patches.h"
+
 namespace luxel {
 namespace {
 
@@ -19,19 +21,19 @@ bool is_bent(const PatchSet& patches, const SmoothLight& light, std::size_t patc
 
 }  // namespace
 
-CurvedFaces::CurvedFaces(const PatchSet& patches, const SmoothLight& light)
-    : patches_(patches), places_(3 * patches.size(), alone) {
+CurvedFaces::CurvedFaces(const PatchSet& patches, const SmoothLight& light) : patches_(patches) {
   const auto& triangle = patches.triangle;
   if (triangle.empty()) return;
   is_curved_.assign(*std::max_element(triangle.begin(), triangle.end()) + 1, 0);
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (is_bent(patches, light, p)) is_curved_[triangle[p]] = 1;
-  const auto is_part = [&](std::size_t p) {
-    return (p > 0 && triangle[p - 1] == triangle[p]) ||
-           (p + 1 < patches.size() && triangle[p + 1] == triangle[p]);
-  };
-  for (std::uint32_t p = 0; p < patches.size(); ++p)
-    if (has(p) && is_part(p))
+}
+
+FaceCorners::FaceCorners(const CurvedFaces& faces, const SmoothLight& light)
+    : places_(3 * faces.patches().size(), alone) {
+  const auto& triangle = faces.patches().triangle;
+  for (std::uint32_t p = 0; p < triangle.size(); ++p)
+    if (faces.has(p) && is_part(triangle, p))
       for (const auto vertex : light.corners[p]) list_.push_back({triangle[p], vertex, p});
   std::sort(list_.begin(), list_.end(), [](const Place& a, const Place& b) {
     return std::tie(a.triangle, a.vertex, a.patch) < std::tie(b.triangle, b.vertex, b.patch);

@@ -16,10 +16,22 @@ namespace luxel {
 // of light counts only as far as there is one within the face too, as at the edge of a shadow.
 class CurvedFaces {
  public:
-  // light: of the patches. Cost: a sort of the patches of curved faces that have been cut.
+  // light: of the patches. Keeps a reference to the patches alone.
   CurvedFaces(const PatchSet& patches, const SmoothLight& light);
 
+  const PatchSet& patches() const { return patches_; }
   bool has(std::size_t patch) const { return is_curved_[patches_.triangle[patch]] != 0; }
+
+ private:
+  const PatchSet& patches_;
+  std::vector<std::uint8_t> is_curved_;  // [input triangle]
+};
+
+// The patches of one face that meet at a corner, where faces are curved.
+class FaceCorners {
+ public:
+  // Cost: a sort of the patches of curved faces that have been cut.
+  FaceCorners(const CurvedFaces& faces, const SmoothLight& light);
 
   // Calls body(patch) for the patches of the same face at a corner of a patch: the patch itself among them.
   template <typename Body>
@@ -38,10 +50,8 @@ class CurvedFaces {
   };
   static constexpr std::uint32_t alone = 0xffffffff;
 
-  const PatchSet& patches_;
-  std::vector<std::uint8_t> is_curved_;  // [input triangle]
-  std::vector<Place> list_;              // sorted
-  std::vector<std::uint32_t> places_;    // [3 * patch + corner]: the first of its kind in list_; or alone
+  std::vector<Place> list_;            // sorted
+  std::vector<std::uint32_t> places_;  // [3 * patch + corner]: the first of its kind in list_; or alone
 };
 
 }  // namespace luxel

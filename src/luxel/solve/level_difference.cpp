@@ -16,7 +16,7 @@ namespace {
 
 using Pair = std::array<double, 2>;  // of both solutions
 
-// Of terms of the mean over a patch side.
+// The mean of squared differences over a patch side, and of the noise in it.
 struct Sum {
   double squared = 0.0, noise = 0.0;
   void add(double weight, const Pair& d) {
@@ -67,12 +67,12 @@ double field_at(const Answer& answer, std::size_t patch, const Vec3d& weights, b
 }
 
 // The field within the face of a patch alone, at the centroid of the patch.
-double field_within_face(const CurvedFaces& faces, const Answer& answer, std::size_t patch, bool back,
+double field_within_face(const FaceCorners& corners, const Answer& answer, std::size_t patch, bool back,
                          std::size_t band) {
   double field = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     double sum = 0.0, count = 0.0;
-    faces.for_patches_at(patch, k, [&](std::size_t p) {
+    corners.for_patches_at(patch, k, [&](std::size_t p) {
       sum += mean_at(answer, p, back, band);
       ++count;
     });
@@ -87,8 +87,8 @@ Sum sum_of(const Pair& d) {
   return sum;
 }
 
-// Of two differences the smaller one in the mean of both answers, whose square is the sum of `squared` and
-// `noise`. By `squared` alone noise would choose what is below 0.
+// Compares the squares of the means of both answers, which are squared + noise. By the products alone the
+// choice would fall on those that noise makes negative.
 Sum smaller(const Sum& a, const Sum& b) { return b.squared + b.noise < a.squared + a.noise ? b : a; }
 
 }  // namespace
@@ -148,17 +148,17 @@ FieldDifference variation_within_wholes(const PatchSet& wholes, const Answers& c
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   const CurvedFaces faces(wholes, coarse[0].smooth);
   return summed(wholes, context, [&](std::size_t whole, bool back, std::size_t b) {
-    // The variation of the parts less that of a field: field(answer, part).
-    const auto variation = [&](const auto& field) {
-      const auto fraction = [&](std::size_t part) {
-        return static_cast<double>(parts.area[part]) / static_cast<double>(wholes.area[whole]);
-      };
+    const auto fraction = [&](std::size_t part) {
+      return static_cast<double>(parts.area[part]) / static_cast<double>(wholes.area[whole]);
+    };
+    // field(part): of both answers, at the centroid of the part.
+    const auto variation_from = [&](const auto& field) {
       std::vector<Pair> differences;
       Pair mean{};
       for (auto part = begin[whole]; part < begin[whole + 1]; ++part) {
-        auto& d = differences.emplace_back();
+        auto& d = differences.emplace_back(field(part));
         for (std::size_t i = 0; i < 2; ++i) {
-          d[i] = mean_at(fine[i], part, back, b) - field(i, part);
+          d[i] = mean_at(fine[i], part, back, b) - d[i];
           mean[i] += fraction(part) * d[i];
         }
       }
@@ -167,24 +167,24 @@ FieldDifference variation_within_wholes(const PatchSet& wholes, const Answers& c
         sum.add(fraction(begin[whole] + k), {differences[k][0] - mean[0], differences[k][1] - mean[1]});
       return sum;
     };
-    const auto sum = variation([&](std::size_t i, std::size_t part) {
+    const auto sum = variation_from([&](std::size_t part) {
       const auto weights = barycentric(wholes.points(whole), parts.centroid(part));
-      return field_at(coarse[i], whole, weights, back, b);
+      return Pair{field_at(coarse[0], whole, weights, back, b), field_at(coarse[1], whole, weights, back, b)};
     });
-    if (!faces.has(whole)) return sum;
-    return smaller(sum, variation([](std::size_t, std::size_t) { return 0.0; }));
+    return faces.has(whole) ? smaller(sum, variation_from([](std::size_t) { return Pair{}; })) : sum;
   });
 }
 
 FieldDifference residual_within_patches(const PatchSet& patches, const Answers& answers,
                                         const Context& context) {
   const CurvedFaces faces(patches, answers[0].smooth);
+  const FaceCorners corners(faces, answers[0].smooth);
   return summed(patches, context, [&](std::size_t p, bool back, std::size_t b) {
     Pair d, within{};
     for (std::size_t i = 0; i < 2; ++i) {
       d[i] = field_at(answers[i], p, Vec3d(1.0 / 3.0), back, b) - mean_at(answers[i], p, back, b);
       if (faces.has(p))
-        within[i] = field_within_face(faces, answers[i], p, back, b) - mean_at(answers[i], p, back, b);
+        within[i] = field_within_face(corners, answers[i], p, back, b) - mean_at(answers[i], p, back, b);
     }
     return faces.has(p) ? smaller(sum_of(d), sum_of(within)) : sum_of(d);
   });

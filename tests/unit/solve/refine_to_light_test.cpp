@@ -14,6 +14,7 @@
 #include "luxel/trace/tracer.h"
 
 #include "support/truth_scenes.h"
+#include "support/window_rooms.h"
 
 namespace luxel {
 namespace {
@@ -163,25 +164,16 @@ TEST(RefineToLight, it_begins_no_level_beyond_the_cost_allowed) {
   EXPECT_EQ(report.mesh_error, report.levels[1].mesh_error);
 }
 
-void add_box(truth::SceneBuilder& b, const Vec3& low, const Vec3& high) {
-  const auto corner = [&](int i) {
-    return Vec3((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z);
-  };
-  constexpr int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                               {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& f : faces) b.quad(corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3]));
-}
-
 // A pavilion of 4 m under an even sky: floor, roof, eight posts and two rails.
 Scene pavilion() {
   truth::SceneBuilder b;
   b.material("floor", 0.5f, 0.0f);
-  add_box(b, {-2, -2, -0.2f}, {2, 2, 0});
-  for (const auto y : {-1.9f, 1.8f}) add_box(b, {-1.9f, y, 0.9f}, {1.9f, y + 0.1f, 1});
+  truth::add_box(b, {-2, -2, -0.2f}, {2, 2, 0});
+  for (const auto y : {-1.9f, 1.8f}) truth::add_box(b, {-1.9f, y, 0.9f}, {1.9f, y + 0.1f, 1});
   b.material("wood", 0.15f, 0.0f);
-  add_box(b, {-2, -2, 2.5f}, {2, 2, 2.6f});
+  truth::add_box(b, {-2, -2, 2.5f}, {2, 2, 2.6f});
   for (const auto x : {-1.9f, -0.6f, 0.6f, 1.8f})
-    for (const auto y : {-1.9f, 1.8f}) add_box(b, {x, y, 0}, {x + 0.1f, y + 0.1f, 2.5f});
+    for (const auto y : {-1.9f, 1.8f}) truth::add_box(b, {x, y, 0}, {x + 0.1f, y + 0.1f, 2.5f});
   auto scene = b.scene();
   scene.sky = Vec3(1.0f);
   return scene;
@@ -191,12 +183,12 @@ Scene pavilion() {
 Scene room_with_blocks() {
   truth::SceneBuilder b;
   b.material("wall", 0.7f, 0.0f);
-  add_box(b, {0, 0, 0}, {1, 1, 1});
+  truth::add_box(b, {0, 0, 0}, {1, 1, 1});
   b.material("block", 0.6f, 0.0f);
-  add_box(b, {0.15f, 0.55f, 0}, {0.45f, 0.85f, 0.6f});
-  add_box(b, {0.55f, 0.15f, 0}, {0.85f, 0.45f, 0.3f});
+  truth::add_box(b, {0.15f, 0.55f, 0}, {0.45f, 0.85f, 0.6f});
+  truth::add_box(b, {0.55f, 0.15f, 0}, {0.85f, 0.45f, 0.3f});
   b.material("lamp", 0.0f, 20.0f);
-  add_box(b, {0.4f, 0.4f, 0.96f}, {0.6f, 0.6f, 0.98f});
+  truth::add_box(b, {0.4f, 0.4f, 0.96f}, {0.6f, 0.6f, 0.98f});
   return b.scene();
 }
 
