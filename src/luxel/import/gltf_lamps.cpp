@@ -78,6 +78,7 @@ Camera camera_of(const PlacedNode& placed, const JsonValue& perspective, double 
   camera.target = camera.eye +
                   std::max(1.0f, 1e-3f * glm::length(camera.eye)) * ahead;  // distinct from the eye in floats
   camera.vertical_fov = static_cast<float>(degrees);
+  camera.aspect = std::max(0.0f, static_cast<float>(perspective["aspectRatio"].number(0.0)));
   return camera;
 }
 

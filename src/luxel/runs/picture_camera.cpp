@@ -29,11 +29,11 @@ Solution light_at_a_glance(const PatchSet& patches, const Tracer& tracer, const 
   return light;
 }
 
-// A view of 4 to 3 in a picture of another shape: a narrower picture shows as much from left to right.
-Camera framed(Camera view, float aspect) {
-  if (aspect >= usual_aspect) return view;
+// A view for a picture of one shape, in one of another: a narrower picture shows as much from left to right.
+Camera framed(Camera view, float meant, float aspect) {
+  if (aspect >= meant) return view;
   const auto tangent = std::tan(0.5f * glm::radians(view.vertical_fov));
-  view.vertical_fov = 2.0f * glm::degrees(std::atan(tangent * usual_aspect / aspect));
+  view.vertical_fov = 2.0f * glm::degrees(std::atan(tangent * meant / aspect));
   return view;
 }
 
@@ -71,15 +71,16 @@ Camera camera_of(const PictureSettings& picture, const LookSettings& look, const
   Camera camera;
   camera.up = up;
   if (!patches.cameras.empty() && is_open)
-    camera = patches.cameras.front();
+    camera = framed(patches.cameras.front(), patches.cameras.front().aspect, aspect);
   else if (patches.view && is_open && patches.view->up == up)
-    camera = framed(*patches.view, aspect);
+    camera = framed(*patches.view, usual_aspect, aspect);
   else if (!picture.is_given())
     camera =
         automatic_camera(patches, light_at_a_glance(patches, tracer, context), tracer, up, aspect, context);
   if (picture.eye) camera.eye = Vec3(*picture.eye - baked.patches.origin);
   if (picture.target) camera.target = Vec3(*picture.target - baked.patches.origin);
   if (picture.vertical_fov != PictureSettings::automatic_fov) camera.vertical_fov = picture.vertical_fov;
+  camera.aspect = aspect;
   // A plan is drawn with what lies to the north (-z where y is up) at its top.
   const Vec3d view = glm::normalize(Vec3d(camera.target) - Vec3d(camera.eye));
   const Vec3d tilt = glm::cross(view, glm::normalize(Vec3d(camera.up)));

@@ -22,23 +22,25 @@ bool is_camera(const Camera& c) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   };
   return is_finite(c.eye) && is_finite(c.target) && is_finite(c.up) && c.vertical_fov > 0.0f &&
-         c.vertical_fov < 180.0f;
+         c.vertical_fov < 180.0f && std::isfinite(c.aspect) && c.aspect >= 0.0f;
 }
 
 void add_cameras(Hdf5Writer& file, const std::string& path, std::span<const Camera> cameras,
                  const Vec3d& origin) {
   std::vector<Vec3> eye, target, up;
-  std::vector<float> fov;
+  std::vector<float> fov, aspect;
   for (const auto& camera : cameras) {
     eye.push_back(camera.eye);
     target.push_back(camera.target);
     up.push_back(camera.up);
     fov.push_back(camera.vertical_fov);
+    aspect.push_back(camera.aspect);
   }
   add_places(file, path + "/eye", eye, origin);
   add_places(file, path + "/target", target, origin);
   file.add_array(path + "/up", vectors(up), "1");
   file.add_array(path + "/vertical_fov", flat_array(std::span<const float>(fov)), "degree");
+  file.add_array(path + "/aspect", flat_array(std::span<const float>(aspect)), "1");
 }
 
 std::vector<Camera> read_cameras(const Hdf5Reader& file, const std::string& path, const Vec3d& origin) {
@@ -48,7 +50,10 @@ std::vector<Camera> read_cameras(const Hdf5Reader& file, const std::string& path
   const auto target = read_places(file, path + "/target", n, origin);
   const auto up = file.vectors(path + "/up", n);
   const auto fov = file.array<float>(path + "/vertical_fov", n);
-  for (std::size_t i = 0; i < n; ++i) cameras.push_back({eye[i], target[i], up[i], fov[i]});
+  // Older files have none.
+  const auto aspect =
+      file.has(path + "/aspect") ? file.array<float>(path + "/aspect", n) : std::vector<float>(n, 0.0f);
+  for (std::size_t i = 0; i < n; ++i) cameras.push_back({eye[i], target[i], up[i], fov[i], aspect[i]});
   if (!std::all_of(cameras.begin(), cameras.end(), is_camera))
     file.refuse_as_damaged(fmt::format("a camera in {} is not valid", path));
   return cameras;

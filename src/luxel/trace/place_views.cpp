@@ -30,6 +30,32 @@ constexpr double min_surface_fraction = 1.0 / 16.0;
 constexpr double min_focus_fraction = 1.0 / 256.0;
 constexpr int tries = 8;  // starts of a view per scout before the scout is skipped
 
+// Directions of nearly equal solid angle in the picture: a grid on the picture plane.
+Panorama look_through(const PatchSet& patches, const Tracer& tracer, const Camera& camera,
+                      std::uint64_t key) {
+  constexpr std::size_t width = 72, height = 54;
+  const auto aspect = camera.aspect > 0.0f ? camera.aspect : 4.0f / 3.0f;
+  const auto forward = glm::normalize(camera.target - camera.eye);
+  const auto right = glm::normalize(glm::cross(forward, camera.up));
+  const auto up = glm::cross(right, forward);
+  const auto half = std::tan(0.5f * camera.vertical_fov * pi / 180.0f);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < width * height; ++i) {
+    const auto u = uniform4(key, i);
+    const auto x = 2.0f * (static_cast<float>(i % width) + u[0]) / static_cast<float>(width) - 1.0f;
+    const auto y = 2.0f * (static_cast<float>(i / width) + u[1]) / static_cast<float>(height) - 1.0f;
+    rays.push_back({camera.eye, glm::normalize(forward + half * (x * aspect * right + y * up))});
+  }
+  std::vector<Hit> hits(rays.size());
+  tracer.nearest(rays, hits);
+  Panorama look{camera.eye, {}, {}};
+  for (const auto& hit : hits) {
+    look.side.push_back(side_met(patches, hit));
+    look.distance.push_back(hit.distance);
+  }
+  return look;
+}
+
 class Placing {
  public:
   Placing(const PatchSet& patches, const Tracer& tracer, const Context& context, const ViewOptions& options)
@@ -137,9 +163,11 @@ class Placing {
     std::vector<Panorama> looks;
     for (auto& look : found)
       if (look) looks.push_back(std::move(*look));
+    const auto key = [&] { return stream_key(seed, eye_look, static_cast<std::uint32_t>(looks.size())); };
     for (const auto& eye : patches_.eyes())
-      looks.push_back(look_around(patches_, tracer_, eye, grid_,
-                                  stream_key(seed, eye_look, static_cast<std::uint32_t>(looks.size()))));
+      looks.push_back(look_around(patches_, tracer_, eye, grid_, key()));
+    for (const auto& camera : patches_.cameras)
+      looks.push_back(look_through(patches_, tracer_, camera, key()));
     return looks;
   }
 
@@ -153,12 +181,12 @@ class Placing {
   }
 
   std::vector<float> view_weights(const std::vector<Panorama>& looks, double places) const {
-    const auto eyes = patches_.eyes().size();
-    const auto others = looks.size() - eyes;
+    const auto of_cameras = patches_.eyes().size() + patches_.cameras.size();
+    const auto others = looks.size() - of_cameras;
     std::vector<float> weight(looks.size(), 1.0f);
     const auto place = others == 0 ? 1.0 : static_cast<double>(others) / std::max(1.0, places);
     std::fill(weight.begin() + static_cast<std::ptrdiff_t>(others), weight.end(),
-              static_cast<float>(place / static_cast<double>(std::max<std::size_t>(1, eyes))));
+              static_cast<float>(place / static_cast<double>(std::max<std::size_t>(1, of_cameras))));
     return weight;
   }
 
@@ -170,31 +198,6 @@ class Placing {
   float extent_ = 0.0f, clearance_ = 0.0f;  // m
   std::vector<Panorama> scouts_;
 };
-
-// Directions of nearly equal solid angle in the picture: a grid on the picture plane.
-Panorama look_through(const PatchSet& patches, const Tracer& tracer, const Camera& camera,
-                      std::uint64_t key) {
-  constexpr std::size_t width = 72, height = 54;
-  const auto forward = glm::normalize(camera.target - camera.eye);
-  const auto right = glm::normalize(glm::cross(forward, camera.up));
-  const auto up = glm::cross(right, forward);
-  const auto half = std::tan(0.5f * camera.vertical_fov * pi / 180.0f);
-  std::vector<Ray> rays;
-  for (std::size_t i = 0; i < width * height; ++i) {
-    const auto u = uniform4(key, i);
-    const auto x = 2.0f * (static_cast<float>(i % width) + u[0]) / static_cast<float>(width) - 1.0f;
-    const auto y = 2.0f * (static_cast<float>(i / width) + u[1]) / static_cast<float>(height) - 1.0f;
-    rays.push_back({camera.eye, glm::normalize(forward + half * (x * (4.0f / 3.0f) * right + y * up))});
-  }
-  std::vector<Hit> hits(rays.size());
-  tracer.nearest(rays, hits);
-  Panorama look{camera.eye, {}, {}};
-  for (const auto& hit : hits) {
-    look.side.push_back(side_met(patches, hit));
-    look.distance.push_back(hit.distance);
-  }
-  return look;
-}
 
 }  // namespace
 

@@ -42,8 +42,8 @@ struct ViewSets {
 // (cut at half the extent of the scene). They are weighted so that each place counts alike (place_weights.h).
 // Views start from surfaces that a scout sees, scouts taken by weight, in the same way. A viewpoint is at
 // least 3 % of the extent of the scene away from any surface, or 0.3 m if that is less, and meets surfaces in
-// at least a sixteenth of its directions. Each of PatchSet::eyes is a view as well; together they weigh as
-// one place.
+// at least a sixteenth of its directions. Each camera is two views as well, one all around from its eye and
+// one of its picture; together they weigh as one place.
 //
 // PatchSet::focus: views start from surfaces in the focus, and only directions that meet those count.
 //
@@ -53,7 +53,7 @@ ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Contex
                      const ViewOptions& options = {});
 
 // Returns the views of the cameras as both sets, for PatchSet::focus_cameras. Each camera is one view of
-// about four thousand directions, evenly spread over the picture (4:3).
+// about four thousand directions, evenly spread over the picture (Camera::aspect, else 4:3).
 ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Context& context);
 
 // Returns the one view of a camera, with as many directions.

@@ -254,7 +254,7 @@ TEST_F(LoadGltf, cameras_look_along_the_nodes_minus_z) {
       R"({{"mesh":0}},{{"camera":1,"translation":[1,2,3],"rotation":[0,{},0,{}]}},{{"camera":0}})", half,
       half);
   gltf.rest =
-      R"(,"cameras":[{"type":"orthographic"},{"type":"perspective","perspective":{"yfov":1.5707963267948966}}])";
+      R"(,"cameras":[{"type":"orthographic"},{"type":"perspective","perspective":{"yfov":1.5707963267948966,"aspectRatio":1.5}}])";
   const auto scene = load(gltf);
   ASSERT_EQ(scene.cameras.size(), 1u);
   const auto& camera = scene.cameras[0];
@@ -262,6 +262,7 @@ TEST_F(LoadGltf, cameras_look_along_the_nodes_minus_z) {
   expect_near(glm::normalize(camera.target - camera.eye), Vec3(-1, 0, 0));
   expect_near(camera.up, Vec3(0, 1, 0));
   EXPECT_NEAR(camera.vertical_fov, 90.0f, 1e-4f);
+  EXPECT_EQ(camera.aspect, 1.5f);
   EXPECT_NE(files_.all_warnings().find("1 camera without perspective"), std::string::npos);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/runs/picture_camera.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "luxel/solution/solution_file.h"
@@ -33,6 +35,24 @@ TEST(PictureCamera, is_the_first_of_the_scenes_file_for_a_stored_solution_too) {
   EXPECT_EQ(camera.eye, of_file.eye);
   EXPECT_EQ(camera.target, of_file.target);
   EXPECT_EQ(camera.vertical_fov, of_file.vertical_fov);
+}
+
+TEST(PictureCamera, of_the_file_shows_as_much_from_left_to_right_in_a_narrower_picture) {
+  auto wide = of_file;
+  wide.aspect = 16.0f / 9.0f;
+  const auto baked = stored_room("wide.vtkhdf", {wide});
+  const auto half_width = [&](int width, int height) {
+    PictureSettings settings;
+    settings.render.width = width;
+    settings.render.height = height;
+    const auto tangent = std::tan(0.5 * glm::radians(double{found(settings, baked).vertical_fov}));
+    return tangent * width / height;
+  };
+  const auto meant = std::tan(glm::radians(20.0)) * 16.0 / 9.0;
+  EXPECT_NEAR(half_width(640, 480), meant, 1e-5);
+  EXPECT_NEAR(half_width(300, 400), meant, 1e-5);
+  EXPECT_NEAR(half_width(1280, 720), meant, 1e-5);
+  EXPECT_NEAR(half_width(2000, 1000), std::tan(glm::radians(20.0)) * 2.0, 1e-5);  // a wider one shows more
 }
 
 TEST(PictureCamera, that_is_given_comes_before_that_of_the_file) {

@@ -93,8 +93,9 @@ TEST(SolutionFile, diffusers_are_read_to_the_bit) {
 TEST(SolutionFile, cameras_focus_and_seen_error_are_read_to_the_bit) {
   auto sample = sample::baked(6, 3);
   auto& patches = sample.patches;
-  patches.cameras = {{.eye = {1, 2, 3}, .target = {0.5f, 0, 1}, .up = {0, 0, 1}, .vertical_fov = 35.0f},
-                     {.eye = {-1, 2, 3}}};
+  patches.cameras = {
+      {.eye = {1, 2, 3}, .target = {0.5f, 0, 1}, .up = {0, 0, 1}, .vertical_fov = 35.0f, .aspect = 1.5f},
+      {.eye = {-1, 2, 3}}};
   patches.focuses_on_cameras = true;
   patches.focus = {1, 0, 0, 1, 1, 0};
   sample.solution.seen_error = 0.0125;
@@ -105,6 +106,7 @@ TEST(SolutionFile, cameras_focus_and_seen_error_are_read_to_the_bit) {
     EXPECT_EQ(read.patches.cameras[i].target, patches.cameras[i].target);
     EXPECT_EQ(read.patches.cameras[i].up, patches.cameras[i].up);
     EXPECT_EQ(read.patches.cameras[i].vertical_fov, patches.cameras[i].vertical_fov);
+    EXPECT_EQ(read.patches.cameras[i].aspect, patches.cameras[i].aspect);
   }
   EXPECT_TRUE(read.patches.focuses_on_cameras);
   EXPECT_EQ(read.patches.focus, patches.focus);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "luxel/trace/place_views.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "luxel/core/bounds.h"
@@ -105,6 +107,32 @@ TEST(PlaceViews, a_dark_room_is_open_space_where_a_camera_stands_in_it) {
   const auto views = place(scene).views;
   EXPECT_GT(views.stating.size(), 100u);
   EXPECT_NEAR(weight_in(views.stating, hall), 1.0, 1e-5);
+}
+
+TEST(PlaceViews, a_camera_counts_by_what_its_picture_shows_too) {
+  truth::SceneBuilder b;
+  b.material("walls", 0.5f, 0.0f);
+  add_box(b, hall);
+  add_lamp(b, hall);
+  b.material("stamp", 0.5f, 0.0f);
+  b.quad({0.01f, 4.9f, 1.9f}, {0.01f, 5.1f, 1.9f}, {0.01f, 5.1f, 2.1f}, {0.01f, 4.9f, 2.1f});
+  auto scene = b.scene();
+  const auto stamp_in = [](const Placed& placed) {
+    const auto& views = placed.views.stating;
+    double fraction = 0.0;
+    for (std::size_t v = 0; v < views.size(); ++v)
+      for (const auto code : views.seen_by(v))
+        if (code < Views::sky && placed.patches.material_of(views.sides[code].patch()).name == "stamp")
+          fraction += static_cast<double>(views.weight[v]) / static_cast<double>(views.seen_by(v).size());
+    return fraction;
+  };
+  EXPECT_LT(stamp_in(place(scene)), 1e-3);
+  // It fills half of the picture's height, and as much of its width where that is as large.
+  const auto fov = 2.0f * glm::degrees(std::atan(0.2f / 4.99f));
+  scene.cameras.push_back({{5, 5, 2}, {0, 5, 2}, {0, 0, 1}, fov, 1.0f});
+  const auto placed = place(scene);
+  EXPECT_NEAR(placed.views.places, 1.0, 0.2);
+  EXPECT_NEAR(stamp_in(placed), 0.25 * 0.25, 0.005);  // a quarter of the weight is of the picture
 }
 
 TEST(PlaceViews, two_rooms_of_very_different_size_weigh_alike) {
