@@ -85,6 +85,7 @@ RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
                                                             start.is_after_first, most)
                                          : min_growth;
   plan.doublings = plan_doublings(units, start.aimed_squared_error, least * plan.cost, most * plan.cost);
+  if (start.is_after_first && !(start.squared_error > 0.0)) plan.doublings.assign(units.size(), 1);
   for (std::size_t u = 0; u < units.size(); ++u) {
     const auto cost = units[u].cost * ((1 << plan.doublings[u]) - 1);
     plan.more_cost += cost;

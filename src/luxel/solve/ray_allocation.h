@@ -61,7 +61,8 @@ struct RoundStart {
 
 // Estimates of single units are noisy, and those that are too high by chance are doubled first: plans
 // overestimate the gain of a round. So it costs at least the amount that earlier rounds suggest, since every
-// round ends with an answer that takes time.
+// round ends with an answer that takes time. A first squared error that is not above 0 is exact light, or a
+// bias that was estimated too low: then all samples are doubled.
 RoundPlan plan_round(std::span<const SampleUnit> units, const RoundStart& start,
                      const SampledOptions& options);
 

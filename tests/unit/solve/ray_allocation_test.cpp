@@ -123,6 +123,15 @@ std::vector<double> parts_of_cube(std::uint32_t unit, std::uint32_t shining) {
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 // Where rays count for their senders alone, the noise of each side is due to its own rays.
+TEST(RoundPlan, doubles_all_samples_where_the_first_error_is_not_above_0) {
+  const std::vector<SampleUnit> units(4, {0.0, 10.0});
+  const SampledOptions options{.error = 0.02};
+  const auto plan_after = [&](bool is_first) { return plan_round(units, {1, 0.0, 3e-4, is_first}, options); };
+  EXPECT_EQ(plan_after(true).doublings, std::vector<std::uint8_t>(4, 1));
+  EXPECT_EQ(plan_after(true).more_cost, 40.0);
+  EXPECT_TRUE(plan_after(false).is_empty());
+}
+
 TEST(RayAllocation, the_part_of_a_side_is_its_noise_whatever_its_area) {
   const auto parts = UnevenRoom().parts(40);
   EXPECT_NEAR(sum(parts.found), 1.0, 1e-9);
