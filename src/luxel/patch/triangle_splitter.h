@@ -15,8 +15,9 @@
 namespace luxel {
 
 // Halves a triangle at its longest edge that is too long, and the halves again, until none is; appends the
-// parts to a patch set. Whether an edge is halved depends on its own two ends only. Carries contact lines
-// along: each part gets those that meet it.
+// parts to a patch set. Needles are cut across first, into parts about as long as they are wide: their halves
+// would be as narrow for their length. Whether an edge is halved depends on its own two ends only. Carries
+// contact lines along: each part gets those that meet it.
 class TriangleSplitter {
  public:
   // More than max_count patches are an InputError.
@@ -33,6 +34,12 @@ class TriangleSplitter {
  private:
   double excess2(std::uint32_t i, std::uint32_t j) const;
   void split(const std::array<std::uint32_t, 3>& c, const std::vector<std::uint32_t>& lines);
+  // The parts of a needle whose two long edges are too long; none of other triangles.
+  std::vector<std::array<std::uint32_t, 3>> slices(const std::array<std::uint32_t, 3>& c);
+  // Appends the points that halve an edge which is too long, and its halves that are and are longer than
+  // shortest2, the square of a length in m; the end b comes last.
+  void add_halving_points(std::uint32_t a, std::uint32_t b, double shortest2,
+                          std::vector<std::uint32_t>& points);
   std::vector<std::uint32_t> near(const std::array<std::uint32_t, 3>& c,
                                   const std::vector<std::uint32_t>& lines) const;
   void append(const std::array<std::uint32_t, 3>& c, const std::vector<std::uint32_t>& lines);
