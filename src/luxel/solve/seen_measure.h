@@ -110,7 +110,7 @@ std::vector<double> seen_densities(const PatchSet& patches, const Tracer& tracer
 // no open space is found. Cost: that of place_views().
 double seen_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,
                      const Context& context);
-// The same of the picture of a camera, of 4:3. Cost: about 4,000 rays.
+// The same of the picture of a camera (Camera::aspect, else 4:3). Cost: about 4,000 rays.
 double picture_error_of(const PatchSet& patches, const Tracer& tracer, const Solution& solution,
                         const Camera& camera);
 

@@ -181,7 +181,7 @@ class Placing {
   }
 
   std::vector<float> view_weights(const std::vector<Panorama>& looks, double places) const {
-    const auto of_cameras = patches_.eyes().size() + patches_.cameras.size();
+    const auto of_cameras = 2 * patches_.cameras.size();  // looks around and pictures
     const auto others = looks.size() - of_cameras;
     std::vector<float> weight(looks.size(), 1.0f);
     const auto place = others == 0 ? 1.0 : static_cast<double>(others) / std::max(1.0, places);
