@@ -248,6 +248,15 @@ TEST(ThinThings, surfaces_on_top_of_each_other_give_the_light_of_one) {
   }
 }
 
+TEST(ThinThings, surfaces_on_top_of_each_other_absorb_the_light_of_one) {
+  for (const auto pile : {Pile::other_diagonal, Pile::overlap, Pile::opposite}) {
+    const auto taken_up = mean_of(solve_often(table(pile), By::sampling), [](const Lit& l) {
+      return (l.energy.absorbed[0] + l.energy.escaped[0]) / l.energy.emitted[0];
+    });
+    expect_near(taken_up, 1.0);
+  }
+}
+
 // A lit room with a closed box: in its midst, or with a corner through the wall.
 Scene box_at(const Vec3& tip) {
   auto b = room(0.5f);

@@ -23,6 +23,7 @@
 #include "luxel/patch/line_search.h"
 #include "luxel/patch/make_panes.h"
 #include "luxel/patch/near_lines.h"
+#include "luxel/patch/overlaps.h"
 #include "luxel/patch/set_bands.h"
 #include "luxel/patch/size_field.h"
 #include "luxel/patch/triangle_splitter.h"
@@ -87,27 +88,30 @@ double edge_for_count(const std::vector<Shape>& all, double count) {
   return high;
 }
 
-// Two one-sided sheets back to back are one sheet seen from both sides; its material is a two-sided twin.
-class TwoSidedTwins {
- public:
-  explicit TwoSidedTwins(PatchSet& patches) : patches_(patches) {}
-
-  MaterialId of(MaterialId material) {
+// Returns the material of each triangle. Two one-sided sheets back to back are one sheet seen from both
+// sides: its material is a two-sided twin, which is added to those of the patches.
+std::vector<MaterialId> materials_of(const std::vector<CleanTriangle>& triangles, const Scene& scene,
+                                     PatchSet& patches) {
+  std::map<MaterialId, MaterialId> twins;
+  std::vector<MaterialId> result;
+  result.reserve(triangles.size());
+  for (const auto& t : triangles) {
+    auto material = scene.triangle_material[t.triangle];
     const auto i = static_cast<std::size_t>(material);
-    if (patches_.materials[i].two_sided) return material;
-    const auto [entry, is_new] = twin_.try_emplace(i, static_cast<MaterialId>(patches_.materials.size()));
-    if (is_new) {
-      auto twin = patches_.materials[i];
-      twin.two_sided = true;
-      patches_.materials.push_back(std::move(twin));
+    if (t.opposite_twin && !patches.materials[i].two_sided) {
+      const auto [twin, is_new] =
+          twins.try_emplace(material, static_cast<MaterialId>(patches.materials.size()));
+      if (is_new) {
+        auto two_sided = patches.materials[i];
+        two_sided.two_sided = true;
+        patches.materials.push_back(std::move(two_sided));
+      }
+      material = twin->second;
     }
-    return entry->second;
+    result.push_back(material);
   }
-
- private:
-  PatchSet& patches_;
-  std::map<std::size_t, MaterialId> twin_;
-};
+  return result;
+}
 
 void reserve(PatchSet& patches, std::size_t count) {
   patches.corners.reserve(count);
@@ -287,7 +291,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
   reserve(patches, triangles.size());
   const auto max_edge = chosen_edge(scene, options);
   const auto lines = lines_to_cut(triangles, weld.positions(), options, max_edge, context);
-  TwoSidedTwins twins(patches);
+  const auto material = materials_of(triangles, scene, patches);
   const SizeField sizes(max_edge, lines, triangles, weld.positions());
   TriangleSplitter splitter(patches, weld, sizes, options.max_count);
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -296,10 +300,8 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
       return {};
     const auto& t = triangles[i];
     const auto& p = weld.positions();
-    auto material = scene.triangle_material[t.triangle];
-    if (t.opposite_twin) material = twins.of(material);
     const auto normal = triangle_normal(p[t.corners[0]], p[t.corners[1]], p[t.corners[2]]);
-    splitter.add(t.corners, normal, t.triangle, material, lines, lines_on(lines, i));
+    splitter.add(t.corners, normal, t.triangle, material[i], lines, lines_on(lines, i));
   }
   if (!lines.empty()) {
     const auto before = patches.size();
@@ -315,6 +317,12 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
                                  options.max_count)),
           {{Setting::max_edge}, {Setting::contacts, "off"}});
     say_what_was_cut(lines, before, patches, context);
+  }
+  if (options.contacts) {
+    const auto overlaps = find_overlaps(triangles, material, patches, weld.positions(), context);
+    if (const auto removed = remove_covered(patches, overlaps, triangles, weld.positions()); removed > 0)
+      context.note(fmt::format(
+          "{} patches are left out, since smaller surfaces lie on them in the same plane", removed));
   }
   patches.vertices = weld.take();
   lay_textures(patches, scene, options.plain_reflectance, context);
