@@ -16,6 +16,7 @@
 #include "luxel/core/hint.h"
 #include "luxel/core/output_file.h"
 #include "luxel/export/back_gap.h"
+#include "luxel/export/bright_pictures.h"
 #include "luxel/export/light_metadata.h"
 #include "luxel/export/lit_mesh.h"
 #include "luxel/export/mapped_surfaces.h"
@@ -134,6 +135,7 @@ class RoundTripExport {
   ToneCurve curve_;
   GltfWriter copy_;
   RoundTripMaterials materials_;
+  BrightPictures pictures_{copy_, input_.patches, input_.solution, curve_};
   const float gap_ = back_gap(input_.patches, options_.program);
 };
 
@@ -187,21 +189,28 @@ void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& 
   const auto profile = profile_of(options_.program);
   const auto colours = input_.patches.colours();
   auto material = material_of(part);
-  if (RoundTripMaterials::is_textured(material_json(part)) && material.textures.reflectance &&
-      input_.patches.has_colours())
+  const bool has_picture = RoundTripMaterials::is_textured(material_json(part)) &&
+                           material.textures.reflectance && input_.patches.has_colours();
+  const auto picture = has_picture ? mean_of_picture(input_.patches, of_triangles_, part) : Vec3(1.0f);
+  if (has_picture)
     for (int b = 0; b < 3; ++b)
       material.reflectance[static_cast<std::size_t>(b)] = material.textures.reflectance_factor[b];
-  const auto vertices = vertex_colours(*file_, part, surface, material, light, colours);
+  const auto vertices = vertex_colours(*file_, part, surface, {material, picture}, light, colours);
+  const auto gain = has_picture ? pictures_.gain(material.textures.reflectance->texture) : Vec3(1.0f);
+  const auto mean = gain * picture;
   std::vector<Rgba16> shown;
   for (const auto& radiance : vertices.radiance) {
-    const auto seen = curve_(radiance);
+    auto seen = curve_(radiance) / mean;  // the picture times this is right where it has its mean
+    if (!is_proportional(curve_))
+      for (int c = 0; c < 3; ++c) seen[c] = soft_limit(seen[c], 1.0f / mean[c]);
     shown.push_back(quantise(profile.colours_are_srgb ? srgb_codes(seen) : seen));
   }
   const auto attributes = path + "/attributes/";
   copy_.put(attributes + "COLOR_0", copy_.add_colours(shown));
   if (profile.keeps_irradiance)
     copy_.put(attributes + "_IRRADIANCE", copy_.add_vectors(std::span<const Vec3>(vertices.irradiance)));
-  materials_.shadeless(path, part.drawn.primitive["material"]);
+  const auto changed = materials_.shadeless(path, part.drawn.primitive["material"]);
+  if (changed && has_picture) pictures_.put(*changed, material.textures.reflectance->texture);
 }
 
 template <typename Code>

@@ -27,7 +27,7 @@ Vec3 tint_at(const GltfArray& tints, const RoundTripSurface& surface, std::size_
 }  // namespace
 
 VertexColours vertex_colours(GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
-                             const BandMaterial& material, const SideValues& light,
+                             const SurfaceColour& colour, const SideValues& light,
                              const BandColours& colours) {
   const auto bands = colours.bands();
   std::optional<GltfArray> tints;
@@ -41,8 +41,9 @@ VertexColours vertex_colours(GltfFile& file, const RoundTripPart& part, const Ro
     }
     const auto* here = &light.of(surface.back)[surface.light[v] * bands];
     const SeenIrradiance seen{here, &light.of(!surface.back)[surface.light[v] * bands]};
-    const TextureRatio ratio{.fine_reflectance = tints ? tint_at(*tints, surface, v) : Vec3(1.0f)};
-    vertices.radiance.push_back(in_gamut(radiance_of(material, surface.back, seen, colours, ratio)));
+    const TextureRatio ratio{.fine_reflectance =
+                                 colour.picture * (tints ? tint_at(*tints, surface, v) : Vec3(1.0f))};
+    vertices.radiance.push_back(in_gamut(radiance_of(colour.material, surface.back, seen, colours, ratio)));
     vertices.irradiance.push_back(Vec3(colours.rgb(std::span(here, bands))));
   }
   return vertices;

@@ -14,14 +14,20 @@ namespace luxel {
 
 // Light at the vertices of a surface, in linear sRGB; black where it is unknown.
 struct VertexColours {
-  std::vector<Vec3> radiance;    // seen, in the gamut, W/(m² sr)
+  std::vector<Vec3> radiance;    // seen, in the gamut, W/(m² sr); with the mean of the picture
   std::vector<Vec3> irradiance;  // W/m²
 };
 
-// light: irradiance, [element][band], W/m²; RoundTripSurface::light has the vertices' elements. material:
-// that of the surface, without what textures in the file add. Vertex colours of the file tint it.
+// What a surface reflects: a material without what pictures in the file add, and their mean, linear sRGB.
+struct SurfaceColour {
+  const BandMaterial& material;
+  Vec3 picture = Vec3(1.0f);
+};
+
+// light: irradiance, [element][band], W/m²; RoundTripSurface::light has the vertices' elements. Vertex
+// colours of the file tint the surface.
 VertexColours vertex_colours(GltfFile& file, const RoundTripPart& part, const RoundTripSurface& surface,
-                             const BandMaterial& material, const SideValues& light,
+                             const SurfaceColour& colour, const SideValues& light,
                              const BandColours& colours);
 
 }  // namespace luxel

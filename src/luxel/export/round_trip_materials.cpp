@@ -86,15 +86,16 @@ void RoundTripMaterials::colour_base(const std::string& material, int grey, doub
   copy_.put(material + base + "/roughnessFactor", roughness);
 }
 
-void RoundTripMaterials::shadeless(const std::string& path, const JsonValue& index) {
+std::optional<std::string> RoundTripMaterials::shadeless(const std::string& path, const JsonValue& index) {
   const auto material = changed_for(path, index, no_texture, 0);
-  if (!material) return;
+  if (!material) return std::nullopt;
   colour_base(*material, 1, 0.9);  // rough for programs that do not support the extension
   take_extensions_off(*material);  // the others have no meaning beside this one
   copy_.put(*material + "/extensions/KHR_materials_unlit", Json::object());
   copy_.use_extension("KHR_materials_unlit");
   if (const auto suffix = profile_of(program_).material_suffix; !suffix.empty())
     copy_.put(*material + "/name", fmt::format("{}{}", copy_.text_at(*material + "/name", ""), suffix));
+  return material;
 }
 
 void RoundTripMaterials::one_sided(const std::string& path) {

@@ -29,8 +29,9 @@ class RoundTripMaterials {
   // Each assigns the primitive at `path` its material: that of the file with this `index`, changed; or a new
   // one where there is no index.
   //
-  // Unlit, the base colour white: the vertex colours are shown, times the texture.
-  void shadeless(const std::string& path, const JsonValue& index);
+  // Unlit, the base colour white: the vertex colours are shown, times the texture. Returns the path of the
+  // material if it was made or changed now.
+  std::optional<std::string> shadeless(const std::string& path, const JsonValue& index);
   // Lit by a texture. intensity: irradiance of a texel of 1, after the display's scale. emission: of the
   // surface itself, on the same scale.
   void lightmapped(const std::string& path, const JsonValue& index, std::size_t texture,
