@@ -42,6 +42,17 @@ FrontAndBack<double> brightest_at(const PatchSet& patches, const Solution& solut
   return brightest;
 }
 
+// [vertex]: whether another surface passes through its patches there, with vertices of its own.
+std::vector<std::uint8_t> pierced_vertices(const PatchSet& patches) {
+  std::vector<std::uint8_t> is_pierced(patches.vertices.size(), 0);
+  const auto& contacts = patches.contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (auto j = i + 1; j < contacts.size() && contacts[j].edge == contacts[i].edge; ++j)
+      if (glm::dot(contacts[i].into, contacts[j].into) < -same_plane)
+        for (const auto v : contacts[i].edge) is_pierced[v] = 1;
+  return is_pierced;
+}
+
 // The mean of some values of several bands.
 class MeanValue {
  public:
@@ -78,6 +89,7 @@ void light_hidden_vertices(const PatchSet& patches, const Solution& solution, Sm
   const auto bands = patches.band_count();
   const auto brightest = brightest_at(patches, solution, light);
   const auto dark_anywhere = hidden_irradiance(patches, solution);
+  const auto is_pierced = pierced_vertices(patches);
   // Smooth vertices at one vertex follow each other.
   for (std::uint32_t first = 0, end = 0; first < light.size(); first = end) {
     while (end < light.size() && light.vertex[end] == light.vertex[first]) ++end;
@@ -89,7 +101,7 @@ void light_hidden_vertices(const PatchSet& patches, const Solution& solution, Sm
       for (auto s = first; s < end; ++s) {
         if (brightest.of(back)[s] < 0.0 || brightest.of(back)[s] > least) continue;
         MeanValue in_plane(bands), around(bands);
-        bool is_corner = false;
+        bool is_corner = is_pierced[light.vertex[first]] != 0;
         for (auto other = first; other < end; ++other) {
           const auto cosine = glm::dot(light.normal[s], light.normal[other]);
           is_corner |= std::abs(cosine) < same_plane;

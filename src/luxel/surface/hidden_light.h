@@ -15,7 +15,7 @@ double hidden_irradiance(const PatchSet& patches, const Solution& solution);
 // the lit sides at the same vertex: of those that continue in the plane, else of all. The edge between them
 // is where the cupboard stands: a rasteriser, or a ray that slips past the edge, may show a pixel of what it
 // hides, which must not be black. Vertices that a lit side uses keep their light, as do those where no other
-// surface is: there the edge is that of a hard shadow.
+// surface is, or passes through (PatchSet::contacts): there the edge is that of a hard shadow.
 void light_hidden_vertices(const PatchSet& patches, const Solution& solution, SmoothLight& light);
 
 }  // namespace luxel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -70,6 +71,39 @@ TEST(HiddenLight, the_edge_of_what_stands_on_a_floor_is_as_bright_as_the_floor_b
       }
   EXPECT_GT(at_edge, 0u);
   EXPECT_GT(elsewhere, 0u);
+}
+
+// A board through a floor: both are cut along the line where it passes, each with vertices of its own there.
+TEST(HiddenLight, the_part_of_a_board_below_the_floor_is_lit_where_it_passes_through) {
+  truth::SceneBuilder scene;
+  scene.material("floor", 0.5f, 0.0f).quad({0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0});
+  scene.material("board", 0.5f, 0.0f)
+      .quad({1.5f, 0.37f, -1.1f}, {1.5f, 2.41f, -1.1f}, {1.5f, 2.41f, 0.9f}, {1.5f, 0.37f, 0.9f});
+  const auto patches = make_patches(scene.scene(), {.max_edge = 0.3f});
+  Solution solution;
+  solution.bands = patches.bands;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    solution.irradiance.front.insert(solution.irradiance.front.end(), patches.band_count(),
+                                     patches.centroid(p).z < 0.0f ? 1e-6f : 2.0f);
+  solution.irradiance.back.assign(solution.irradiance.front.size(), 0.0f);
+  solution.radiosity = solution.irradiance;
+  const auto plain = make_smooth_light(patches, solution);
+  const auto shown = make_smooth_light(patches, solution, {.lights_hidden = true});
+  std::size_t own_vertices = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    for (const auto corner : plain.corners[p]) {
+      const auto& place = patches.vertices[plain.vertex[corner]];
+      const auto i = corner * patches.band_count();
+      const bool is_board = static_cast<std::uint32_t>(patches.material[p]) == 1;
+      if (!is_board || std::abs(place.z) > 1e-5f || patches.centroid(p).z > 0.0f) {
+        EXPECT_EQ(plain.irradiance.front[i], shown.irradiance.front[i]);
+        continue;
+      }
+      EXPECT_LT(plain.irradiance.front[i], 1e-5f);
+      EXPECT_NEAR(shown.irradiance.front[i], 2.0f, 1e-4f) << place.y;
+      ++own_vertices;
+    }
+  EXPECT_GT(own_vertices, 10u);
 }
 
 // Where no other surface is, a side without light lies in a hard shadow.
