@@ -319,7 +319,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
     say_what_was_cut(lines, before, patches, context);
   }
   if (options.contacts) {
-    const auto overlaps = find_overlaps(triangles, material, patches, weld.positions(), context);
+    const auto overlaps = find_overlaps(triangles, material, patches.materials, weld.positions(), context);
     if (const auto removed = remove_covered(patches, overlaps, triangles, weld.positions()); removed > 0)
       context.note(fmt::format(
           "{} patches are left out, since smaller surfaces lie on them in the same plane", removed));

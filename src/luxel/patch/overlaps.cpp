@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <span>
 #include <tuple>
 #include <utility>
 
@@ -29,11 +28,6 @@ double same_plane_slack(const std::array<Vec3, 3>& corners) {
   return same_plane_roundings * coordinate_rounding(corners);
 }
 
-bool lies_in_plane(const FlatTriangle& t, const FlatTriangle& plane, double slack) {
-  return std::all_of(t.corner.begin(), t.corner.end(),
-                     [&](const Vec3d& p) { return std::fabs(plane.height(p)) <= slack; });
-}
-
 // For triangles in one plane: an edge of `a` has all of `b` beyond it.
 bool is_beside(const FlatTriangle& a, const FlatTriangle& b, double slack) {
   for (std::size_t k = 0; k < 3; ++k)
@@ -43,32 +37,68 @@ bool is_beside(const FlatTriangle& a, const FlatTriangle& b, double slack) {
   return false;
 }
 
-bool overlap(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q) {
-  const auto slack = std::max(same_plane_slack(p), same_plane_slack(q));
-  const FlatTriangle a(p), b(q);
-  return lies_in_plane(a, b, slack) && lies_in_plane(b, a, slack) && !is_beside(a, b, slack) &&
-         !is_beside(b, a, slack);
-}
-
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+// Tests pairs of triangles, most of which are neighbours in a mesh.
+class OverlapTest {
+ public:
+  OverlapTest(const std::vector<CleanTriangle>& triangles, const std::vector<Vec3>& positions,
+              const Context& context)
+      : triangles_(triangles), positions_(positions), planes_(triangles.size()) {
+    constexpr std::size_t grain = 8192;
+    context.for_chunks(triangles.size(), grain, [&](std::size_t begin, std::size_t end, int) {
+      for (auto i = begin; i < end; ++i) {
+        const auto p = corners_of(triangles[i], positions);
+        planes_[i] = {glm::normalize(area_vector2(p[0], p[1], p[2])), same_plane_slack(p)};
+      }
+    });
+  }
+
+  std::vector<Bounds> boxes() const {
+    std::vector<Bounds> result(triangles_.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (const auto& p : corners_of(triangles_[i], positions_)) {
+        result[i].add(p - static_cast<float>(planes_[i].slack));
+        result[i].add(p + static_cast<float>(planes_[i].slack));
+      }
+    return result;
+  }
+
+  bool overlap(std::uint32_t i, std::uint32_t j) const {
+    const auto slack = std::max(planes_[i].slack, planes_[j].slack);
+    if (!lies_in_plane(i, j, slack) || !lies_in_plane(j, i, slack)) return false;
+    const auto p = corners_of(triangles_[i], positions_), q = corners_of(triangles_[j], positions_);
+    const FlatTriangle a(p, planes_[i].normal), b(q, planes_[j].normal);
+    return !is_beside(a, b, slack) && !is_beside(b, a, slack);
+  }
+
+ private:
+  struct Plane {
+    Vec3d normal{0.0};  // unit
+    double slack = 0.0;
+  };
+
+  bool lies_in_plane(std::uint32_t i, std::uint32_t of, double slack) const {
+    const Vec3d origin(positions_[triangles_[of].corners[0]]);
+    const auto& c = triangles_[i].corners;
+    return std::all_of(c.begin(), c.end(), [&](std::uint32_t v) {
+      return std::fabs(glm::dot(planes_[of].normal, Vec3d(positions_[v]) - origin)) <= slack;
+    });
+  }
+
+  const std::vector<CleanTriangle>& triangles_;
+  const std::vector<Vec3>& positions_;
+  std::vector<Plane> planes_;
+};
 
 std::vector<Pair> overlapping_pairs(const std::vector<CleanTriangle>& triangles,
                                     const std::vector<Vec3>& positions, const Context& context) {
-  std::vector<Bounds> boxes(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto corners = corners_of(triangles[i], positions);
-    const auto slack = static_cast<float>(same_plane_slack(corners));
-    for (const auto& p : corners) {
-      boxes[i].add(p - slack);
-      boxes[i].add(p + slack);
-    }
-  }
-  const OverlappingPairs pairs(boxes, context);
+  const OverlapTest test(triangles, positions, context);
+  const OverlappingPairs pairs(test.boxes(), context);
   std::vector<std::vector<Pair>> of_part(pairs.parts());
   context.for_chunks(pairs.parts(), 1, [&](std::size_t part, std::size_t, int) {
     pairs.for_pairs(part, [&](std::uint32_t i, std::uint32_t j) {
-      if (overlap(corners_of(triangles[i], positions), corners_of(triangles[j], positions)))
-        of_part[part].push_back({i, j});
+      if (test.overlap(i, j)) of_part[part].push_back({i, j});
     });
   });
   std::vector<Pair> result;
@@ -81,7 +111,7 @@ std::vector<Pair> overlapping_pairs(const std::vector<CleanTriangle>& triangles,
 class Precedence {
  public:
   Precedence(std::span<const Pair> pairs, const std::vector<CleanTriangle>& triangles,
-             const std::vector<MaterialId>& material, const PatchSet& materials,
+             const std::vector<MaterialId>& material, std::span<const BandMaterial> materials,
              const std::vector<Vec3>& positions)
       : triangles_(triangles),
         material_(material),
@@ -108,13 +138,13 @@ class Precedence {
     return triangle_area(corners[0], corners[1], corners[2]);
   }
   std::tuple<bool, double, MaterialId, double, std::uint32_t> rank(std::uint32_t i) {
-    const bool is_lamp = materials_.materials[static_cast<std::size_t>(material_[i])].is_lamp();
+    const bool is_lamp = materials_[static_cast<std::size_t>(material_[i])].is_lamp();
     return {!is_lamp, area_of_surface_[surface(i)], material_[i], area_of_triangle(i), i};
   }
 
   const std::vector<CleanTriangle>& triangles_;
   const std::vector<MaterialId>& material_;
-  const PatchSet& materials_;
+  std::span<const BandMaterial> materials_;
   const std::vector<Vec3>& positions_;
   DisjointSets chains_;
   std::map<Surface, double> area_of_surface_;  // m²
@@ -160,7 +190,8 @@ bool holds(const FlatTriangle& t, const Vec3d& p, double slack) {
 }  // namespace
 
 std::vector<Overlap> find_overlaps(const std::vector<CleanTriangle>& triangles,
-                                   const std::vector<MaterialId>& material, const PatchSet& materials,
+                                   const std::vector<MaterialId>& material,
+                                   std::span<const BandMaterial> materials,
                                    const std::vector<Vec3>& positions, const Context& context) {
   const auto pairs = overlapping_pairs(triangles, positions, context);
   Precedence precedence(pairs, triangles, material, materials, positions);
@@ -169,7 +200,7 @@ std::vector<Overlap> find_overlaps(const std::vector<CleanTriangle>& triangles,
     return area_vector2(c[0], c[1], c[2]);
   };
   const auto material_of = [&](std::uint32_t i) -> const BandMaterial& {
-    return materials.materials[static_cast<std::size_t>(material[i])];
+    return materials[static_cast<std::size_t>(material[i])];
   };
   std::vector<Overlap> result;
   for (const auto& [i, j] : pairs) {
@@ -185,6 +216,7 @@ std::vector<Overlap> find_overlaps(const std::vector<CleanTriangle>& triangles,
 
 std::size_t remove_covered(PatchSet& patches, const std::vector<Overlap>& overlaps,
                            const std::vector<CleanTriangle>& triangles, const std::vector<Vec3>& positions) {
+  if (overlaps.empty()) return 0;
   std::size_t kept = 0;
   auto first = overlaps.begin();
   for (std::size_t p = 0; p < patches.size(); ++p) {

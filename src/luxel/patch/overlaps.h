@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "luxel/core/context.h"
@@ -29,7 +30,8 @@ struct Overlap {
 // material: of each triangle. Cost: 0.5 us per triangle, and what the pairs of near ones cost. The same for
 // any number of threads.
 std::vector<Overlap> find_overlaps(const std::vector<CleanTriangle>& triangles,
-                                   const std::vector<MaterialId>& material, const PatchSet& materials,
+                                   const std::vector<MaterialId>& material,
+                                   std::span<const BandMaterial> materials,
                                    const std::vector<Vec3>& positions, const Context& context);
 
 // Removes the patches that covers hide, and returns their number. Patches must have been cut where surfaces

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "luxel/patch/overlaps.h"
+#include "luxel/patch/set_bands.h"
 #include "luxel/scene/triangle_shape.h"
 #include "luxel/session/mesh_diagnostics.h"
 #include "luxel/session/words.h"
@@ -87,6 +90,33 @@ void find_twins(const ScannedMesh& mesh, bool opposite, std::size_t places,
   diagnostics.push_back(std::move(diagnostic));
 }
 
+void find_overlapping(const ScannedMesh& mesh, const Context& context, std::size_t places,
+                      std::vector<Diagnostic>& diagnostics) {
+  const auto& scene = *mesh.scene;
+  PatchSet bands;
+  set_bands(bands, scene);
+  std::vector<MaterialId> material;
+  for (std::uint32_t t = 0; t < mesh.clean.kept.size(); ++t)
+    material.push_back(scene.triangle_material[mesh.in_scene(t)]);
+  const auto overlaps = find_overlaps(mesh.clean.kept, material, bands.materials, mesh.places, context);
+  std::map<std::uint32_t, std::uint32_t> on;  // [triangle of the scene that covers]: one that it covers
+  for (const auto& o : overlaps) on.try_emplace(mesh.in_scene(o.cover), mesh.in_scene(o.covered));
+  if (on.empty()) return;
+  Diagnostic diagnostic{DiagnosticKind::overlap, Severity::note, on.size()};
+  std::vector<Candidate> candidates;
+  for (const auto& [cover, covered] : on) {
+    diagnostic.triangles.push_back(cover);
+    candidates.push_back({cover, centroid(scene, cover), area(scene, cover), covered});
+  }
+  diagnostic.fact =
+      fmt::format("{} on larger surfaces in the same plane", counted_lie(on.size(), "triangle"));
+  diagnostic.consequence = "leaves out what they cover: rays could not tell which one is in front";
+  diagnostic.remedy = "nothing needs to change where things stand on each other; otherwise move them apart";
+  tell_places(
+      scene, candidates, places, [&](const Candidate& c) { return lies_on(scene, c.item); }, diagnostic);
+  diagnostics.push_back(std::move(diagnostic));
+}
+
 void find_slivers(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
   const auto& scene = *mesh.scene;
   Diagnostic diagnostic{DiagnosticKind::sliver, Severity::note};
@@ -126,9 +156,11 @@ void find_slivers(const ScannedMesh& mesh, std::size_t places, std::vector<Diagn
 
 }  // namespace
 
-void find_bad_triangles(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics) {
+void find_bad_triangles(const ScannedMesh& mesh, const Context& context, std::size_t places,
+                        std::vector<Diagnostic>& diagnostics) {
   find_twins(mesh, true, places, diagnostics);
   find_twins(mesh, false, places, diagnostics);
+  find_overlapping(mesh, context, places, diagnostics);
   find_no_area(mesh, places, diagnostics);
   find_slivers(mesh, places, diagnostics);
 }

@@ -59,7 +59,7 @@ CheckReport diagnose(const Scene& scene, const CheckOptions& options, const Cont
   const auto mesh = scan_mesh(scene, context, report.is_whole);
   if (!report.is_whole) return report;
   summarise(mesh, report);
-  find_bad_triangles(mesh, options.places, report.diagnostics);
+  find_bad_triangles(mesh, context, options.places, report.diagnostics);
   find_bad_edges(mesh, options.places, report.diagnostics);
   find_bad_numbers(mesh, options.places, report.diagnostics);
   find_bad_glass(mesh, context, options.places, report.diagnostics);

@@ -27,6 +27,7 @@ constexpr Kind kinds[] = {
     {"units", {{0.5f, 0.5f, 0.5f}, "grey"}},
     {"opposite", {{0.3f, 0.1f, 0.8f}, "violet"}},
     {"duplicate", {{0.0f, 0.35f, 0.35f}, "teal"}},
+    {"overlap", {{0.9f, 0.55f, 0.35f}, "salmon"}},
     {"no-area", {{0.95f, 0.05f, 0.02f}, "red"}},
     {"t-junction", {{0.95f, 0.3f, 0.0f}, "orange"}},
     {"open-edge", {{0.9f, 0.75f, 0.0f}, "yellow"}},

@@ -30,6 +30,7 @@ enum class DiagnosticKind {
   units,
   opposite,
   duplicate,
+  overlap,
   no_area,
   t_junction,
   open_edge,

@@ -7,9 +7,10 @@
 
 namespace luxel {
 
-// Finds defective triangles: without area, duplicate, slivers. Appends one diagnostic per kind found, with at
-// most `places` positions each.
-void find_bad_triangles(const ScannedMesh& mesh, std::size_t places, std::vector<Diagnostic>& diagnostics);
+// Finds defective triangles: without area, duplicate, overlapping in one plane, slivers. Appends one
+// diagnostic per kind found, with at most `places` positions each.
+void find_bad_triangles(const ScannedMesh& mesh, const Context& context, std::size_t places,
+                        std::vector<Diagnostic>& diagnostics);
 
 // Finds defects of the connections: T-junctions, open edges, more than two triangles on one edge, windings.
 // Tests which --weld would close open edges.

@@ -153,9 +153,11 @@ TEST(Overlaps, a_carpet_with_holes_covers_nothing) {
     if (m.name == "carpet") m.textures.cutout = TextureUse{};
   VertexWeld weld;
   const auto triangles = clean_triangles(scene, weld).kept;
-  EXPECT_FALSE(find_overlaps(triangles, scene.triangle_material, bands, weld.positions(), Context{}).empty());
+  EXPECT_FALSE(find_overlaps(triangles, scene.triangle_material, bands.materials, weld.positions(), Context{})
+                   .empty());
   EXPECT_TRUE(
-      find_overlaps(triangles, scene.triangle_material, with_holes, weld.positions(), Context{}).empty());
+      find_overlaps(triangles, scene.triangle_material, with_holes.materials, weld.positions(), Context{})
+          .empty());
 }
 
 TEST(Overlaps, contacts_are_those_of_the_patches_that_remain) {

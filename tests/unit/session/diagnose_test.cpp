@@ -190,6 +190,17 @@ TEST_F(Diagnose, finds_lamps_that_face_a_wall_and_lamps_that_are_shut_in) {
   expect_near(found(report, DiagnosticKind::unlit).places[0].at, {1.0, 1.0, 0.9967}, 1e-3);
 }
 
+TEST_F(Diagnose, finds_what_lies_on_a_larger_surface_in_the_same_plane) {
+  const std::string carpet = "v 0.5 0 0.5\nv 1 0 0.5\nv 1 0 1\nv 0.5 0 1\nf 9 12 11 10\n";  // to line 22
+  const auto report = of(room + carpet);
+  EXPECT_EQ(kinds(report), "overlap open-edge ");
+  const auto& overlap = found(report, DiagnosticKind::overlap);
+  EXPECT_EQ(overlap.count, 2u);
+  EXPECT_EQ(overlap.severity, Severity::note);
+  EXPECT_EQ(overlap.places[0].line, 22u);
+  EXPECT_EQ(overlap.places[0].detail, "on line 13, 'wall'");
+}
+
 TEST_F(Diagnose, counts_places_from_the_files_zero) {
   auto far = room;
   for (const char* v : {"v 0 ", "v 2 "})
