@@ -129,10 +129,17 @@ bool is_proportional(const ToneCurve& curve) {
   return curve.options.op == ToneOperator::clamp || curve.options.op == ToneOperator::maximum;
 }
 
-float soft_limit(float colour, float largest) {
-  if (colour <= knee || largest <= 1.0f) return std::min(colour, 1.0f);
-  const auto along = std::min(1.0f, (colour - knee) / (largest - knee));
+float soft_limit(float channel, float largest) {
+  if (channel <= knee || largest <= 1.0f) return std::min(channel, 1.0f);
+  const auto along = std::min(1.0f, (channel - knee) / (largest - knee));
   return 1.0f - (1.0f - knee) * std::pow(1.0f - along, (largest - knee) / (1.0f - knee));
+}
+
+Vec3 colour_over_picture(const Vec3& colour, const Vec3& mean) {
+  const auto needed = colour / mean;
+  const auto most = std::max({needed.r, needed.g, needed.b});
+  if (!(most > knee)) return needed;
+  return soft_limit(most, 1.0f / std::min({mean.r, mean.g, mean.b})) / most * needed;
 }
 
 BrightPictures::BrightPictures(GltfWriter& copy, const PatchSet& patches, const Solution& solution,

@@ -25,9 +25,14 @@ Vec3 mean_of_picture(const PatchSet& patches, const PatchesOfTriangles& of_trian
 // Whether colours are proportional to light, up to a limit, so that the light can be recovered from them.
 bool is_proportional(const ToneCurve& curve);
 
-// The vertex colour, at most 1, for light that needs up to `largest`: as it is up to 0.85, then ever flatter,
-// so that no contour shows where light is too bright. As it is everywhere if largest is 1 or less.
-float soft_limit(float colour, float largest);
+// The channel of a vertex colour, at most 1, for light that needs up to `largest`: as it is up to 0.85, then
+// ever flatter, so that no contour shows where light is too bright. As it is everywhere if largest is 1 or
+// less.
+float soft_limit(float channel, float largest);
+
+// The vertex colour by which a picture of this mean looks like the colour: of the same hue, at most 1 by
+// soft_limit() of its largest channel.
+Vec3 colour_over_picture(const Vec3& colour, const Vec3& mean);
 
 // Vertex colours are at most 1, so a picture that they multiply is never shown brighter than it is, though
 // light may be. So pictures are brightened as far as their brightest pixels allow, where light on a

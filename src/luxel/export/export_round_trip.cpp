@@ -200,9 +200,8 @@ void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& 
   const auto mean = gain * picture;
   std::vector<Rgba16> shown;
   for (const auto& radiance : vertices.radiance) {
-    auto seen = curve_(radiance) / mean;  // the picture times this is right where it has its mean
-    if (!is_proportional(curve_))
-      for (int c = 0; c < 3; ++c) seen[c] = soft_limit(seen[c], 1.0f / mean[c]);
+    const auto colour = curve_(radiance);
+    const auto seen = is_proportional(curve_) ? colour / mean : colour_over_picture(colour, mean);
     shown.push_back(quantise(profile.colours_are_srgb ? srgb_codes(seen) : seen));
   }
   const auto attributes = path + "/attributes/";

@@ -126,5 +126,19 @@ TEST(SoftLimit, rises_evenly_to_one) {
   }
 }
 
+TEST(ColourOverPicture, keeps_the_hue_of_the_light) {
+  const Vec3 mean(0.3f, 0.4f, 0.5f);
+  for (const float brightness : {0.2f, 0.5f, 1.0f}) {
+    const Vec3 colour = brightness * Vec3(0.9f, 0.7f, 0.4f);
+    const auto over = colour_over_picture(colour, mean);
+    const auto shown = over * mean;
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_LE(over[c], 1.0f);
+      EXPECT_NEAR(shown[c] / shown.r, colour[c] / colour.r, 1e-5f);
+    }
+  }
+  EXPECT_EQ(colour_over_picture(Vec3(0.2f), Vec3(0.5f)), Vec3(0.4f)) << "as it is";
+}
+
 }  // namespace
 }  // namespace luxel
