@@ -46,6 +46,22 @@ double sqrt_of_sum(const Contributions& contributions, double fraction) {
   return std::sqrt((std::max(0.0, sum) + std::sqrt(4.0 / 3.0 * squares)) / fraction);
 }
 
+// The seen error of differences that noise may bring below 0, with the sides' importance. Where nearly all
+// views have an error of 0 by that, no side is important; then all are by what the noise can hide.
+SeenSides seen_sides_of(const PatchSet& patches, const Tracer& tracer, const Answers& answers,
+                        const FieldDifference& difference, const Context& context) {
+  const auto irradiance = mean_of(answers).irradiance;
+  auto seen = seen_sides(patches, tracer, irradiance, difference.squared, context);
+  const auto is_none = [](double importance) { return importance == 0.0; };
+  if (!std::all_of(seen.importance.begin(), seen.importance.end(), is_none)) return seen;
+  auto hidden = difference.squared;
+  for (const bool back : {false, true})
+    for (std::size_t i = 0; i < hidden.of(back).size(); ++i)
+      hidden.of(back)[i] = std::max(hidden.of(back)[i], difference.noise.of(back)[i]);
+  seen.importance = seen_sides(patches, tracer, irradiance, hidden, context).importance;
+  return seen;
+}
+
 }  // namespace
 
 std::vector<double> weights_in_power(const PatchSet& patches, const Answers& answers) {
@@ -91,7 +107,7 @@ void MeshEstimate::look(const PatchSet& patches, const Answers& answers, const T
     }
   weights_.clear();
   if (measure == ErrorMeasure::seen)
-    weights_ = seen_sides(patches, tracer, mean_of(answers).irradiance, expected.squared, context).importance;
+    weights_ = seen_sides_of(patches, tracer, answers, expected, context).importance;
   if (weights_.empty()) weights_ = weights_in_power(patches, answers);
   expected_ = weighed(expected, weights_, patches.band_count());
 }
@@ -116,12 +132,14 @@ double mesh_error_of(const PatchSet& patches, const Tracer& tracer, std::array<S
     answers[i].smooth = make_smooth_light(patches, answers[i].solution, smooth, context);
   }
   const auto residual = residual_within_patches(patches, answers, context);
+  std::vector<double> weights;
   if (measure == ErrorMeasure::seen) {
-    const auto seen = seen_sides(patches, tracer, mean_of(answers).irradiance, residual.squared, context);
-    if (!seen.importance.empty()) return seen.error / std::sqrt(shown_by_residual);
+    auto seen = seen_sides_of(patches, tracer, answers, residual, context);
+    if (seen.error > 0.0) return seen.error / std::sqrt(shown_by_residual);
+    weights = std::move(seen.importance);
   }
-  return sqrt_of_sum(weighed(residual, weights_in_power(patches, answers), patches.band_count()),
-                     shown_by_residual);
+  if (weights.empty()) weights = weights_in_power(patches, answers);
+  return sqrt_of_sum(weighed(residual, weights, patches.band_count()), shown_by_residual);
 }
 
 }  // namespace luxel

@@ -59,7 +59,8 @@ class MeshEstimate {
 
 // The mesh error of light that is known by two independent estimates (SolveHooks::halves), which had no part
 // in the cuts of the mesh: from the residual alone, by the measure. Of the seen error it is that below
-// which 95 % of the views stay. Cost: that of place_views(), of a patch tree and of two make_smooth_light().
+// which 95 % of the views stay, or a standard error of the sum of squares where noise hides it. Cost: that of
+// place_views(), of a patch tree and of two make_smooth_light().
 double mesh_error_of(const PatchSet& patches, const Tracer& tracer, std::array<Solution, 2> halves,
                      ErrorMeasure measure, SmoothOptions smooth, const Context& context);
 

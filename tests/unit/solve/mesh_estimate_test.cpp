@@ -2,13 +2,19 @@
 #include "luxel/solve/mesh_estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "luxel/core/address.h"
+#include "luxel/patch/make_patches.h"
+#include "luxel/trace/tracer.h"
+
+#include "support/truth_scenes.h"
 
 namespace luxel {
 namespace {
@@ -55,6 +61,33 @@ TEST(MeshEstimate, edges_of_light_come_before_noise_though_the_noise_is_larger) 
 TEST(MeshEstimate, without_noise_nothing_is_taken_off) {
   const std::vector<double> squared{3.0, 1.0, 2.0}, none(3, 0.0);
   EXPECT_EQ(beyond_noise(squared, none), squared);
+}
+
+// Irradiance of 1 in a cube, and noise of this amplitude that has the opposite sign in the other half:
+// products of the differences in both halves are below 0 everywhere.
+double error_of_halves(double noise) {
+  const Context context(2);
+  const auto patches = make_patches(truth::cube_a(), {.max_edge = 0.15f});
+  std::array<Solution, 2> halves;
+  for (const double sign : {-1.0, 1.0}) {
+    auto& half = halves[sign < 0.0 ? 0 : 1];
+    half.bands = patches.bands;
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const auto u = static_cast<double>(uniform4(stream_key(7, 0, 0), p)[0]);
+      const auto light = static_cast<float>(1.0 + sign * noise * (2.0 * u - 1.0));
+      half.irradiance.front.insert(half.irradiance.front.end(), patches.band_count(), light);
+      half.radiosity.front.insert(half.radiosity.front.end(), patches.band_count(), 0.5f * light);
+    }
+    half.irradiance.back.assign(half.irradiance.front.size(), 0.0f);
+    half.radiosity.back = half.irradiance.back;
+  }
+  return mesh_error_of(patches, Tracer(patches, context), std::move(halves), ErrorMeasure::seen, {}, context);
+}
+
+TEST(MeshEstimate, noise_that_hides_the_error_is_not_stated_as_none) {
+  EXPECT_GT(error_of_halves(0.1), 0.001);
+  EXPECT_LT(error_of_halves(0.1), 0.2);
+  EXPECT_EQ(error_of_halves(0.0), 0.0) << "the light is even";
 }
 
 }  // namespace
