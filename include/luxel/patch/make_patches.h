@@ -50,10 +50,9 @@ struct PatchOptions {
 /// (contact_lines.h) and along the outlines of things close before them, nearer than 0.35 of max_edge and a
 /// hundredth of the scene's diagonal (near_lines.h). These become edges and PatchSet::contacts; see
 /// cut_contacts.h. Patches are cut along PatchOptions::shadow_lines too: light may jump across them on their
-/// lit side. Patches that no such line meets stay as they are. Where surfaces overlap in one plane, the smaller
-/// one remains (overlaps.h). About two seconds of processor time for a
-/// million triangles, most of it shared by the threads, and 20 us per line. The same bits for any number of
-/// threads.
+/// lit side. Patches that no such line meets stay as they are. Where surfaces overlap in one plane, the
+/// smaller one remains (overlaps.h). About two seconds of processor time for a million triangles, most of it
+/// shared by the threads, and 20 us per line. The same bits for any number of threads.
 ///
 /// The monitor receives the stage "patches"; after its stop the set is empty.
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});
