@@ -22,7 +22,7 @@ namespace luxel {
 Vec3 mean_of_picture(const PatchSet& patches, const PatchesOfTriangles& of_triangles,
                      const RoundTripPart& part);
 
-// Whether colours are proportional to light, up to a limit, so that the light can be recovered from them.
+// Returns whether the curve's colours are proportional to light, up to a limit: they contain the light.
 bool is_proportional(const ToneCurve& curve);
 
 // The channel of a vertex colour, at most 1, for light that needs up to `largest`: as it is up to 0.85, then

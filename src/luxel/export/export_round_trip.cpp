@@ -135,7 +135,7 @@ class RoundTripExport {
   ToneCurve curve_;
   GltfWriter copy_;
   RoundTripMaterials materials_;
-  BrightPictures pictures_{copy_, input_.patches, input_.solution, curve_};
+  std::optional<BrightPictures> pictures_;  // of vertex colours alone
   const float gap_ = back_gap(input_.patches, options_.program);
 };
 
@@ -196,7 +196,8 @@ void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& 
     for (int b = 0; b < 3; ++b)
       material.reflectance[static_cast<std::size_t>(b)] = material.textures.reflectance_factor[b];
   const auto vertices = vertex_colours(*file_, part, surface, {material, picture}, light, colours);
-  const auto gain = has_picture ? pictures_.gain(material.textures.reflectance->texture) : Vec3(1.0f);
+  if (has_picture && !pictures_) pictures_.emplace(copy_, input_.patches, input_.solution, curve_);
+  const auto gain = has_picture ? pictures_->gain(material.textures.reflectance->texture) : Vec3(1.0f);
   const auto mean = gain * picture;
   std::vector<Rgba16> shown;
   for (const auto& radiance : vertices.radiance) {
@@ -209,7 +210,7 @@ void RoundTripExport::colour(const RoundTripPart& part, const RoundTripSurface& 
   if (profile.keeps_irradiance)
     copy_.put(attributes + "_IRRADIANCE", copy_.add_vectors(std::span<const Vec3>(vertices.irradiance)));
   const auto changed = materials_.shadeless(path, part.drawn.primitive["material"]);
-  if (changed && has_picture) pictures_.put(*changed, material.textures.reflectance->texture);
+  if (changed && has_picture) pictures_->put(*changed, material.textures.reflectance->texture);
 }
 
 template <typename Code>

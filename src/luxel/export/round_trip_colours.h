@@ -18,7 +18,8 @@ struct VertexColours {
   std::vector<Vec3> irradiance;  // W/m²
 };
 
-// What a surface reflects: a material without what pictures in the file add, and their mean, linear sRGB.
+// The reflectance of a surface: its material without the picture in the file, and the picture's mean, linear
+// sRGB.
 struct SurfaceColour {
   const BandMaterial& material;
   Vec3 picture = Vec3(1.0f);

@@ -52,7 +52,7 @@ class BrightPicturesTest : public ExportRoundTrip {
     return *written.textures[written.materials[0].textures.reflectance->texture].raster;
   }
 
-  // Of the vertices; the same at all.
+  // Returns the vertex colour, and expects all vertices to have it.
   Vec3 colour() {
     auto file = lit();
     const GltfArray colours(file, file.root()["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"], 3, 4);

@@ -35,7 +35,7 @@ std::map<std::string, double> areas(const PatchSet& patches) {
   return sum;
 }
 
-// All of the floor of 4 m by 4 m but `covered` m², and the carpet.
+// Expects this much of both to remain, m².
 void expect_areas(const PatchSet& patches, double floor, double carpet) {
   auto area = areas(patches);
   EXPECT_NEAR(area["floor"], floor, 1e-5);
@@ -48,11 +48,15 @@ SceneBuilder floor() {
   return level(b, {0, 0}, {4, 4});
 }
 
+SceneBuilder floor_with_carpet(const Vec2& low, const Vec2& high, float z = 0.0f, bool down = false) {
+  auto b = floor();
+  b.material("carpet", 0.25f, 0.0f);
+  return level(b, low, high, z, down);
+}
+
 TEST(Overlaps, a_carpet_in_the_plane_of_the_floor_covers_it) {
   for (const bool down : {false, true}) {
-    auto b = floor();
-    b.material("carpet", 0.25f, 0.0f);
-    level(b, {0.7f, 1.3f}, {2.9f, 2.3f}, 0.0f, down);
+    auto b = floor_with_carpet({0.7f, 1.3f}, {2.9f, 2.3f}, 0.0f, down);
     expect_areas(patches_of(b), 16.0 - 2.2, 2.2);
   }
 }
@@ -112,17 +116,13 @@ TEST(Overlaps, two_lamps_keep_their_power) {
 
 TEST(Overlaps, a_carpet_above_the_floor_covers_nothing) {
   for (const float height : {-1e-4f, 1e-4f}) {
-    auto b = floor();
-    b.material("carpet", 0.25f, 0.0f);
-    level(b, {1, 1}, {2, 2}, height);
+    auto b = floor_with_carpet({1, 1}, {2, 2}, height);
     expect_areas(patches_of(b), 16.0, 1.0);
   }
 }
 
 TEST(Overlaps, rounding_does_not_lift_a_carpet_off_the_floor) {
-  auto b = floor();
-  b.material("carpet", 0.25f, 0.0f);
-  level(b, {1, 1}, {2, 2}, 1e-6f);
+  auto b = floor_with_carpet({1, 1}, {2, 2}, 1e-6f);
   expect_areas(patches_of(b), 15.0, 1.0);
 }
 
@@ -143,9 +143,7 @@ TEST(Overlaps, a_one_sided_carpet_leaves_no_hole_in_a_two_sided_floor) {
 }
 
 TEST(Overlaps, a_carpet_with_holes_covers_nothing) {
-  auto b = floor();
-  b.material("carpet", 0.25f, 0.0f);
-  level(b, {1, 1}, {2, 2});
+  auto b = floor_with_carpet({1, 1}, {2, 2});
   auto scene = b.scene();
   const auto bands = make_patches(scene);
   auto with_holes = bands;
@@ -161,9 +159,7 @@ TEST(Overlaps, a_carpet_with_holes_covers_nothing) {
 }
 
 TEST(Overlaps, contacts_are_those_of_the_patches_that_remain) {
-  auto b = floor();
-  b.material("carpet", 0.25f, 0.0f);
-  level(b, {0.7f, 1.3f}, {2.9f, 2.3f});
+  auto b = floor_with_carpet({0.7f, 1.3f}, {2.9f, 2.3f});
   level(b, {1.2f, 1.6f}, {1.7f, 1.9f});  // on the carpet
   const auto patches = patches_of(b);
   expect_areas(patches, 16.0 - 2.2, 2.2);
