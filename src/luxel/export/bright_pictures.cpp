@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,42 +21,59 @@
 namespace luxel {
 namespace {
 
-constexpr double rare = 1e-3;         // part of pixels, and of an area, that may be beyond 1
+constexpr double rare = 1e-3;         // part of an area that may be too dark
 constexpr float worth_it = 1.02f;     // smaller gains are not seen
 constexpr float largest_gain = 8.0f;  // of pictures that are nearly black
 constexpr float knee = 0.85f;
 
-// Returns, per channel, the smallest code that only rare pixels exceed.
-std::array<int, 3> brightest_codes(const Raster& picture) {
-  std::array<std::array<std::size_t, 256>, 3> count{};
-  for (const auto& code : picture.codes)
-    for (std::size_t c = 0; c < 3; ++c) ++count[c][code[c]];
-  const auto allowed = static_cast<std::size_t>(rare * static_cast<double>(picture.codes.size()));
-  std::array<int, 3> brightest{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    int code = 255;
-    for (std::size_t above = count[c][255]; code > 0 && above <= allowed;)
-      above += count[c][static_cast<std::size_t>(--code)];
-    brightest[c] = code;
-  }
-  return brightest;
-}
-
-Vec3 largest_gains(const Raster& picture) {
-  Vec3 gain(1.0f);
-  if (picture.codes.empty()) return gain;
-  const auto brightest = brightest_codes(picture);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto linear = srgb_decode(static_cast<float>(brightest[c]) / 255.0f);
-    gain[static_cast<int>(c)] = std::clamp(1.0f / std::max(linear, 1.0f / largest_gain), 1.0f, largest_gain);
-  }
-  return gain;
-}
-
-// Area, m²: of a picture, and where the light on it needs vertex colours above 1.
-struct PictureArea {
-  double all = 0.0, too_bright = 0.0;
+// Where the light on a picture needs vertex colours above 1.
+struct BrightPlaces {
+  double area = 0.0;                            // m², of all of the picture
+  double too_bright = 0.0;                      // m², in any channel
+  std::vector<std::pair<double, Vec3>> needed;  // the area of each patch there, and its vertex colour
 };
+
+// Returns how many pixels have each code of a channel.
+std::array<double, 256> histogram(const Raster& picture, int channel) {
+  std::array<double, 256> count{};
+  for (const auto& code : picture.codes) ++count[code[static_cast<std::size_t>(channel)]];
+  return count;
+}
+
+// Returns what a gain of one channel loses: the mean part of the light that is missing on the surfaces that
+// remain too dark, and in the pixels that become white.
+double loss(float gain, int channel, const BrightPlaces& places, const std::array<double, 256>& pixels) {
+  double missing = 0.0;
+  for (const auto& [area, needed] : places.needed)
+    missing += area * std::max(0.0, 1.0 - static_cast<double>(gain / needed[channel]));
+  double white = 0.0, count = 0.0;
+  for (std::size_t code = 0; code < pixels.size(); ++code) {
+    const auto bright = gain * srgb_decode(static_cast<float>(code) / 255.0f);
+    if (bright > 1.0f) white += pixels[code] * static_cast<double>(1.0f - 1.0f / bright);
+    count += pixels[code];
+  }
+  return missing / places.area + white / count;
+}
+
+// Each of them makes one code that the picture has white.
+Vec3 best_gains(const Raster& picture, const BrightPlaces& places) {
+  Vec3 best(1.0f);
+  if (picture.codes.empty()) return best;
+  for (int c = 0; c < 3; ++c) {
+    const auto pixels = histogram(picture, c);
+    auto smallest = loss(1.0f, c, places, pixels);
+    for (std::size_t code = 255; code > 0; --code) {
+      const auto gain = std::min(largest_gain, 1.0f / srgb_decode(static_cast<float>(code) / 255.0f));
+      if (pixels[code] == 0.0) continue;
+      if (const auto found = loss(gain, c, places, pixels); found < smallest) {
+        smallest = found;
+        best[c] = gain;
+      }
+      if (gain == largest_gain) break;
+    }
+  }
+  return best;
+}
 
 // From half a code of 255 to 1.
 Vec3 picture_mean(const PatchSet& patches, std::size_t patch) {
@@ -73,7 +92,7 @@ Vec3 picture_mean(const PatchSet& patches, std::size_t patch) {
 std::vector<Vec3> picture_gains(const PatchSet& patches, const Solution& solution, const ToneCurve& curve) {
   std::vector<Vec3> gains(patches.textures.size(), Vec3(1.0f));
   if (is_proportional(curve) || gains.empty() || !patches.has_colours()) return gains;
-  std::vector<PictureArea> areas(gains.size());
+  std::vector<BrightPlaces> places(gains.size());
   const auto colours = patches.colours();
   const auto bands = colours.bands();
   for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -86,12 +105,16 @@ std::vector<Vec3> picture_gains(const PatchSet& patches, const Solution& solutio
       radiance = glm::max(radiance, in_gamut(colours.rgb(radiosity.subspan(p * bands, bands))) / pi);
     }
     const auto needed = curve(radiance) / mean;
-    auto& area = areas[material.textures.reflectance->texture];
-    area.all += patches.area[p];
-    if (std::max({needed.r, needed.g, needed.b}) > worth_it) area.too_bright += patches.area[p];
+    auto& on_picture = places[material.textures.reflectance->texture];
+    const auto area = static_cast<double>(patches.area[p]);
+    on_picture.area += area;
+    if (std::max({needed.r, needed.g, needed.b}) <= worth_it) continue;
+    on_picture.too_bright += area;
+    on_picture.needed.emplace_back(area, needed);
   }
   for (std::size_t t = 0; t < gains.size(); ++t)
-    if (areas[t].too_bright > rare * areas[t].all) gains[t] = largest_gains(*patches.textures[t].raster);
+    if (places[t].too_bright > rare * places[t].area)
+      gains[t] = best_gains(*patches.textures[t].raster, places[t]);
   for (auto& gain : gains)
     if (std::max({gain.r, gain.g, gain.b}) < worth_it) gain = Vec3(1.0f);
   return gains;

@@ -78,11 +78,19 @@ TEST_F(BrightPicturesTest, a_dark_picture_in_bright_light_is_as_bright_as_the_cu
   }
 }
 
-TEST_F(BrightPicturesTest, one_that_has_white_or_enough_light_stays_as_it_is) {
-  auto with_white = plain({150, 110, 70, 255});
+TEST_F(BrightPicturesTest, a_few_white_pixels_do_not_keep_it_dark) {
+  auto with_white = plain({150, 120, 100, 255});
   with_white.codes[5] = {255, 255, 255, 255};
   bake(with_white, 20.0f);
-  EXPECT_EQ(shown_picture().codes, with_white.codes);
+  const auto shown = shown_picture();
+  EXPECT_EQ(shown.codes[0], (Raster::Code{255, 255, 255, 255}));
+  EXPECT_EQ(shown.codes[5], (Raster::Code{255, 255, 255, 255}));
+}
+
+TEST_F(BrightPicturesTest, one_that_is_white_or_has_enough_light_stays_as_it_is) {
+  const auto white = plain({255, 255, 255, 255});
+  bake(white, 20.0f);
+  EXPECT_EQ(shown_picture().codes, white.codes);
   const auto dim = plain({150, 110, 70, 128});
   bake(dim, 0.5f);
   EXPECT_EQ(shown_picture().codes, dim.codes);
