@@ -72,8 +72,10 @@ struct LoadOptions {
   std::vector<std::string> flip = {};       ///< materials (* and ? allowed) whose triangles are turned round
   std::vector<GlassOption> glass = {};      ///< in this order: the last one that matches a material counts
   float weld = 0.0f;                        ///< m; vertices nearer than this become one, see weld_vertices()
-  bool orient = false;    ///< make the winding of each component consistent, see orient_windings()
-  Vec3 sky = Vec3(0.0f);  ///< Scene::sky, W/(m² sr): light from all around
+  bool orient = false;  ///< make the winding of each component consistent, see orient_windings()
+  /// Triangulate flat surfaces of needles again, as walls with arches, see retriangulate_needles().
+  bool retriangulate = true;
+  Vec3 sky = Vec3(0.0f);                  ///< Scene::sky, W/(m² sr): light from all around
   std::optional<Daylight> daylight = {};  ///< instead of `sky`: Scene::sky_radiance, and the sun
   std::filesystem::path spectra = {};     ///< a CSV file, see read_spectra(); empty: plain colour
   std::vector<std::filesystem::path> luminaires =
@@ -90,8 +92,8 @@ struct LoadOptions {
 /// for anything that cannot be read. The log receives warnings (a missing MTL file or texture and its
 /// replacement, flipped faces, lowered reflectances, a size that suggests another unit, with the scale that
 /// mends it as a hint) and the changes made by requested repairs. The order of repairs is welding, orienting,
-/// flipping. Cost: about half a second per million faces, plus the decoding of textures. Call from one thread
-/// per scene.
+/// flipping; flat surfaces of needles are triangulated again last. Cost: about half a second per million
+/// faces, plus the decoding of textures. Call from one thread per scene.
 ///
 /// Files that the scene's file names are read only where they lie in its folder or below it, links followed,
 /// but for LoadOptions::allow_outside: a buffer, MTL or photometric file elsewhere is an InputError, a

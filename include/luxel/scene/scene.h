@@ -20,10 +20,21 @@ namespace luxel {
 /// Maximum absolute coordinate, m. Areas, and the distances that rays travel, stay finite in floats.
 inline constexpr float farthest = 1e12f;
 
+/// A flat surface that has other triangles than in the file. Its points are corners of the file's triangles,
+/// and after them the middles of two points before.
+struct FlatSurface {
+  std::uint32_t first = 0;                              ///< its first triangle in the scene
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< [triangle - first]: points
+  std::vector<std::uint32_t> of_file;                   ///< its triangles in the file, ascending
+  std::vector<std::uint32_t> corner_of;                 ///< [point]: one of these that has this corner
+  std::vector<std::array<std::uint32_t, 2>> halved;     ///< [point - corner_of.size()]: ends of the middle
+};
+
 /// A mesh with materials, as in the file. Parallel arrays: entry i of every triangle_* array is triangle i,
 /// and triangles stand in the order of the file, even those without area (so that indices stay the same); a
-/// polygon of n corners is n - 2 triangles, a fan where it is convex. Everything is finite, no position is
-/// beyond `farthest`, and every index is in range: loading and check_scene() verify this.
+/// polygon of n corners is n - 2 triangles, a fan where it is convex. Only flat surfaces of needles have
+/// other triangles than in the file (`retriangulated`). Everything is finite, no position is beyond
+/// `farthest`, and every index is in range: loading and check_scene() verify this.
 struct Scene {
   std::string source;                        ///< the file, as the user named it
   std::vector<std::filesystem::path> files;  ///< read for it besides the source: those that it names
@@ -35,6 +46,10 @@ struct Scene {
   std::vector<std::uint32_t> triangle_line;    ///< line in the source file, from 1; 0 where unknown
   std::vector<std::uint32_t> triangle_group;   ///< index into groups
   std::vector<std::uint32_t> triangle_object;  ///< index into objects; empty where there are none
+
+  /// Surfaces that are not as in the file (LoadOptions::retriangulate), by their first triangle; often none.
+  /// Each stands at the place of its first triangle in the file.
+  std::vector<FlatSurface> retriangulated;
 
   std::vector<std::string> groups;   ///< names of groups or objects; at least one ("default")
   std::vector<std::string> objects;  ///< names of objects alone; empty where the file names none

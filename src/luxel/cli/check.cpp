@@ -39,6 +39,7 @@ class Check final : public Command {
 
   int run() override {
     scene_.check();
+    scene_.load.retriangulate = false;
     if (!run_.outputs.empty()) check_before_work(run_, {}, kinds);
     Console console(run_);
     const Context context(run_.threads);

@@ -43,7 +43,7 @@ class Info final : public Command {
 
   std::string of_scene() const {
     Console console;
-    const auto scene = load_scene(file_, {}, console.reporting({}));
+    const auto scene = load_scene(file_, {.retriangulate = false}, console.reporting({}));
     const auto box = bounds(scene);
     std::vector<std::size_t> triangles(scene.materials.size(), 0);
     for (const auto m : scene.triangle_material) ++triangles[static_cast<std::size_t>(m)];

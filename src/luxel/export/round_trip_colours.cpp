@@ -5,6 +5,7 @@
 #include <span>
 
 #include "luxel/core/none.h"
+#include "luxel/export/round_trip_attribute.h"
 #include "luxel/import/gltf_array.h"
 #include "luxel/surface/smooth_light.h"
 
@@ -12,16 +13,10 @@ namespace luxel {
 namespace {
 
 // The vertex colours of the file at vertex `v` of a surface, which may lie inside a triangle of the file.
-Vec3 tint_at(const GltfArray& tints, const RoundTripSurface& surface, std::size_t v) {
+Vec3 tint_at(const RoundTripAttribute& tints, const RoundTripSurface& surface, std::size_t v) {
   const auto count = surface.own.size();
-  const auto vertex =
-      v < count ? RoundTripVertex{{surface.own[v], 0, 0}, {1.0, 0.0, 0.0}} : surface.added[v - count];
-  Vec3d sum(0.0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto c = tints.at(vertex.of[i]);
-    sum += vertex.weights[static_cast<int>(i)] * Vec3d(c[0], c[1], c[2]);
-  }
-  return Vec3(sum);
+  const auto tint = v < count ? tints.at(surface.own[v]) : tints.between(surface.added[v - count]);
+  return Vec3(Vec3d(tint[0], tint[1], tint[2]));
 }
 
 }  // namespace
@@ -41,8 +36,10 @@ VertexColours vertex_colours(GltfFile& file, const RoundTripPart& part, const Ro
     }
     const auto* here = &light.of(surface.back)[surface.light[v] * bands];
     const SeenIrradiance seen{here, &light.of(!surface.back)[surface.light[v] * bands]};
-    const TextureRatio ratio{.fine_reflectance =
-                                 colour.picture * (tints ? tint_at(*tints, surface, v) : Vec3(1.0f))};
+    const TextureRatio ratio{
+        .fine_reflectance =
+            colour.picture *
+            (tints ? tint_at({*tints, part, RoundTripAttribute::Kind::other}, surface, v) : Vec3(1.0f))};
     vertices.radiance.push_back(in_gamut(radiance_of(colour.material, surface.back, seen, colours, ratio)));
     vertices.irradiance.push_back(Vec3(colours.rgb(std::span(here, bands))));
   }

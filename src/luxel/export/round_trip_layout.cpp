@@ -45,14 +45,17 @@ std::optional<GivenLayout> round_trip_layout(const Scene& scene, const PatchSet&
         page_of.try_emplace(part.drawn.placed.number, static_cast<std::uint32_t>(page_of.size()))
             .first->second;
     const GltfArray array(file, place, 2, 2);
-    if (array.size() < part.vertices)
-      place.refuse(fmt::format("expected {} elements, found {}", part.vertices, array.size()));
+    const auto of_file = part.vertices - part.halved.size();
+    if (array.size() < of_file)
+      place.refuse(fmt::format("expected {} elements, found {}", of_file, array.size()));
+    std::vector<Vec2> uvs;
+    for (std::uint32_t v = 0; v < of_file; ++v) uvs.emplace_back(array.at(v)[0], array.at(v)[1]);
+    for (const auto& [a, b] : part.halved) uvs.push_back(0.5f * (uvs[a] + uvs[b]));
     for (std::size_t i = 0; i < part.triangles.size(); ++i) {
       const auto t = part.triangles[i];
       pages[t] = page;
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto numbers = array.at(part.corners[i][k]);
-        given.uvs[t][k] = {numbers[0], numbers[1]};
+        given.uvs[t][k] = uvs[part.corners[i][k]];
         if (!on_page(given.uvs[t][k]))
           why = fmt::format("those of '{}' go beyond the page", part.drawn.object);
       }

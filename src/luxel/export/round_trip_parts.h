@@ -13,7 +13,8 @@ namespace luxel {
 // A primitive of a glTF file at one of its nodes, and the scene's triangles that it draws.
 struct RoundTripPart {
   GltfPart drawn;
-  std::size_t vertices = 0;                           // of the primitive's arrays
+  std::size_t vertices = 0;  // of the primitive's arrays, and after them middles of two vertices:
+  std::vector<std::array<std::uint32_t, 2>> halved;
   std::vector<std::uint32_t> triangles;               // [triangle of the primitive]: that of the scene
   std::vector<std::array<std::uint32_t, 3>> corners;  // [triangle]: vertices of the primitive, in the order
                                                       // of the scene's corners

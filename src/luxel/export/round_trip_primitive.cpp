@@ -7,46 +7,19 @@
 #include <fmt/format.h>
 
 #include "luxel/export/back_gap.h"
+#include "luxel/export/round_trip_attribute.h"
 #include "luxel/import/gltf_array.h"
 
 namespace luxel {
 namespace {
 
-constexpr double unit_enough = 1e-12;  // smaller squared lengths have no direction
-
-// Interpolation of an attribute between vertices.
-enum class Kind { position, direction, joints, other };
+using Kind = RoundTripAttribute::Kind;
+using Numbers = RoundTripAttribute::Numbers;
 
 Kind kind_of(const std::string& name) {
   if (name == "POSITION") return Kind::position;
   if (name == "NORMAL" || name == "TANGENT") return Kind::direction;
   return name.starts_with("JOINTS_") ? Kind::joints : Kind::other;
-}
-
-using Numbers = std::array<double, 4>;
-
-Numbers numbers_at(const GltfArray& array, std::uint32_t element) {
-  const auto found = array.at(element);
-  return {found[0], found[1], found[2], found[3]};
-}
-
-Numbers between(const GltfArray& array, const RoundTripVertex& vertex, Kind kind) {
-  if (kind == Kind::joints) {  // indices, not quantities: taken from the nearest vertex
-    const auto& w = vertex.weights;
-    return numbers_at(array, vertex.of[w.x >= w.y && w.x >= w.z ? 0 : w.y >= w.z ? 1 : 2]);
-  }
-  Numbers sum{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto corner = numbers_at(array, vertex.of[i]);
-    for (std::size_t c = 0; c < 4; ++c) sum[c] += vertex.weights[static_cast<int>(i)] * corner[c];
-  }
-  if (kind == Kind::direction) {
-    const auto square = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
-    if (square > unit_enough)
-      for (std::size_t c = 0; c < 3; ++c) sum[c] /= std::sqrt(square);
-    if (array.components() == 4) sum[3] = numbers_at(array, vertex.of[0])[3];  // handedness of a tangent
-  }
-  return sum;
 }
 
 std::vector<Vec3> positions_of(const std::vector<float>& values) {
@@ -72,18 +45,20 @@ struct MovedSurface {
   float distance = 0.0f;
 };
 
-// Extends the attributes at `path` to the old and new vertices. vertices: the number in the part.
-void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const MovedSurface& moved,
-            std::size_t vertices, const std::string& path) {
+// Extends the attributes at `path` to the old and new vertices.
+void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const RoundTripPart& part,
+            const MovedSurface& moved, const std::string& path) {
   const auto& surface = moved.surface;
+  const auto vertices = part.vertices - part.halved.size();
   for (const auto& name : attributes.keys()) {
     const GltfArray array(file, attributes[name], 1, 4);
     const auto kind = kind_of(name);
     const auto turns = surface.back && name == "NORMAL";
     const auto moves = moved.distance > 0.0f && kind == Kind::position;
-    if (surface.has_all_own && surface.added.empty() && !turns && !moves) continue;
+    if (surface.has_all_own && surface.added.empty() && part.halved.empty() && !turns && !moves) continue;
     if (array.size() < vertices)
       attributes[name].refuse(fmt::format("expected {} elements, found {}", vertices, array.size()));
+    const RoundTripAttribute attribute(array, part, kind);
     std::vector<float> values;
     values.reserve((surface.own.size() + surface.added.size()) *
                    static_cast<std::size_t>(array.components()));
@@ -93,8 +68,8 @@ void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const
         values.push_back(turns ? -number : number);
       }
     };
-    for (const auto v : surface.own) put(numbers_at(array, v));
-    for (const auto& vertex : surface.added) put(between(array, vertex, kind));
+    for (const auto v : surface.own) put(attribute.at(v));
+    for (const auto& vertex : surface.added) put(attribute.between(vertex));
     if (moves) {
       auto positions = positions_of(values);
       move_outwards(positions, surface.triangles, moved.distance);
@@ -128,11 +103,11 @@ void put_surface(GltfWriter& copy, GltfFile& file, const RoundTripPart& part, co
   const auto& primitive = part.drawn.primitive;
   if (surface.back) copy.erase(path + "/attributes/TANGENT");
   const auto scale = static_cast<float>(glm::length(glm::dvec3(part.drawn.placed.world[0])));
-  extend(copy, file, primitive["attributes"], {surface, surface.back ? gap / scale : 0.0f}, part.vertices,
+  extend(copy, file, primitive["attributes"], part, {surface, surface.back ? gap / scale : 0.0f},
          path + "/attributes");
   const auto targets = primitive["targets"];
   for (std::size_t i = 0; i < targets.size(); ++i)
-    extend(copy, file, targets[i], {surface}, part.vertices, fmt::format("{}/targets/{}", path, i));
+    extend(copy, file, targets[i], part, {surface}, fmt::format("{}/targets/{}", path, i));
   if (surface.as_it_was) return;
   copy.erase(path + "/mode");
   copy.put(path + "/indices", copy.add_indices(surface.triangles, surface.own.size() + surface.added.size()));

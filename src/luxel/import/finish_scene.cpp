@@ -6,11 +6,13 @@
 #include "luxel/core/error.h"
 #include "luxel/import/apply_glass.h"
 #include "luxel/import/apply_spectra.h"
+#include "luxel/import/is_gltf.h"
 #include "luxel/import/luminaires.h"
 #include "luxel/import/name_list.h"
 #include "luxel/import/set_daylight.h"
 #include "luxel/scene/name_pattern.h"
 #include "luxel/scene/orient_windings.h"
+#include "luxel/scene/retriangulate.h"
 #include "luxel/scene/scale_doubt.h"
 #include "luxel/scene/up_axis.h"
 #include "luxel/scene/weld_vertices.h"
@@ -70,6 +72,13 @@ void doubt_units(const LoadOptions& options, const Scene& scene, const Context& 
   }
 }
 
+void retriangulate(const std::filesystem::path& path, Scene& scene, const Context& context) {
+  const auto made = retriangulate_needles(scene, is_gltf(path) ? JoinedAt::vertices : JoinedAt::places);
+  if (made.surfaces > 0)
+    context.note(fmt::format("{} flat surfaces of needles are triangulated again: {} triangles instead of {}",
+                             made.surfaces, made.after, made.before));
+}
+
 void load_luminaires(const std::filesystem::path& path, const LoadOptions& options, Scene& scene,
                      const Context& context) {
   PhotometryStore store(context);
@@ -93,6 +102,7 @@ void finish_scene(const std::filesystem::path& path, const LoadOptions& options,
   scene.sky = options.sky;
   if (options.daylight) set_daylight(*options.daylight, options.up, scene);
   load_luminaires(path, options, scene, context);
+  if (options.retriangulate) retriangulate(path, scene, context);
   if (!options.spectra.empty()) apply_spectra(options, scene, context);
 }
 

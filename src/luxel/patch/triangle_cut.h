@@ -8,7 +8,7 @@
 
 #include "luxel/core/vector.h"
 #include "luxel/patch/flat_triangle.h"
-#include "luxel/patch/fragment_mesh.h"
+#include "luxel/scene/fragment_mesh.h"
 
 namespace luxel {
 

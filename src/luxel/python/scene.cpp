@@ -105,7 +105,8 @@ std::shared_ptr<SceneHandle> from_arrays(const Floats& vertices, const Integers&
                                          const Integers& material, const std::vector<MaterialRow>& rows,
                                          const GivenOptions& given, const CallOptions& call) {
   const SceneOptions options(given);
-  const auto how = options.load_options();
+  auto how = options.load_options();
+  how.retriangulate = false;  // faces are numbered as they were given
   auto scene = scene_of_arrays(vertices, faces, material, rows, how);
   auto reporter = call.reporter();
   reporter.run([&] {

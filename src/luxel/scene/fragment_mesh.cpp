@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "luxel/patch/fragment_mesh.h"
+#include "luxel/scene/fragment_mesh.h"
 
 #include <algorithm>
 
@@ -11,6 +11,12 @@ FragmentMesh::FragmentMesh()
     : points_{{0, 0}, {grid, 0}, {0, grid}},
       fragment_at_{0, 0, 0},
       fragments_{{{0, 1, 2}, {none, none, none}}} {}
+
+FragmentMesh::FragmentMesh(std::vector<Point> points, std::vector<Fragment> fragments)
+    : points_(std::move(points)), fragment_at_(points_.size(), none), fragments_(std::move(fragments)) {
+  for (std::uint32_t f = 0; f < next_number(); ++f)
+    for (const auto point : fragments_[f].v) fragment_at_[point] = f;
+}
 
 FragmentMesh::Edge FragmentMesh::other_side(Edge e) const {
   const auto other = fragments_[e.fragment].across[e.k];

@@ -10,16 +10,15 @@
 
 namespace luxel {
 
-// A triangle cut into fragments, as a mesh that can be changed step by step. Points stand on a grid of
-// integers, where the side of a line on which a point lies is decided exactly; so the fragments are
-// counter-clockwise and cover the triangle without overlap, whatever is done. Points 0, 1, 2 are the
-// triangle's corners, at (0, 0), (grid, 0) and (0, grid).
+// A region of a plane in triangles (fragments), as a mesh that can be changed step by step. Points stand on a
+// grid of integers, where the side of a line on which a point lies is decided exactly; so the fragments are
+// counter-clockwise and cover the region without overlap, whatever is done.
 class FragmentMesh {
  public:
   static constexpr std::int64_t grid = std::int64_t{1} << 29;
 
   struct Point {
-    std::int64_t x, y;  // x, y >= 0, x + y <= grid
+    std::int64_t x, y;  // 0 to grid
   };
   // across[k] is the fragment beyond the edge from v[k] to the next corner; none at the boundary.
   struct Fragment {
@@ -33,7 +32,10 @@ class FragmentMesh {
   };
   using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
+  // One triangle: points 0, 1, 2 are its corners, at (0, 0), (grid, 0) and (0, grid).
   FragmentMesh();
+  // Fragments that are counter-clockwise, do not overlap and name each other across their common edges.
+  FragmentMesh(std::vector<Point> points, std::vector<Fragment> fragments);
 
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Fragment>& fragments() const { return fragments_; }
