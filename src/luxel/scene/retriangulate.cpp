@@ -85,29 +85,38 @@ class Plane {
 
   // Returns whether a triangle lies in this plane, faces the same way, and continues the attributes.
   bool contains(const Scene& scene, std::size_t triangle) const {
-    constexpr double roundings = 8.0, of_attribute = 0x1p-20;
     const auto& t = scene.triangles[triangle];
-    if (glm::dot(area_vector2(scene.positions[t[0]], scene.positions[t[1]], scene.positions[t[2]]),
-                 normal_) <= 0.0)
-      return false;
+    const std::array places{scene.positions[t[0]], scene.positions[t[1]], scene.positions[t[2]]};
+    return std::all_of(places.begin(), places.end(), [&](const Vec3& p) { return is_near(Vec3d(p)); }) &&
+           glm::dot(area_vector2(places[0], places[1], places[2]), normal_) > 0.0 &&
+           continues(scene, triangle, places);
+  }
+
+ private:
+  // Of the errors of the triangle, at a place.
+  double growth(const Vec3d& place) const { return 1.0 + glm::distance(place, origin_) / height_; }
+
+  bool is_near(const Vec3d& place) const {
+    constexpr double roundings = 8.0;
+    return std::abs(glm::dot(place - origin_, normal_)) <= roundings * rounding_ * growth(place);
+  }
+
+  bool continues(const Scene& scene, std::size_t triangle, const std::array<Vec3, 3>& places) const {
+    constexpr double error = 0x1p-20;
     std::vector<double> values;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3d place(scene.positions[t[k]]);
-      const auto growth = 1.0 + glm::distance(place, origin_) / height_;  // of the errors of this triangle
-      if (std::abs(glm::dot(place - origin_, normal_)) > roundings * rounding_ * growth) return false;
       append_numbers(attributes_of(scene, triangle, k), values);
-      const auto at = flat(place);
+      const auto at = flat(Vec3d(places[k]));
+      const auto allowed = error * growth(Vec3d(places[k]));
       for (std::size_t i = 0; i < values.size(); ++i) {
         const auto& f = functions_[i];
-        if (std::abs(f[0] + f[1] * at.x + f[2] * at.y - values[i]) >
-            of_attribute * (1.0 + std::abs(values[i])) * growth)
+        if (std::abs(f[0] + f[1] * at.x + f[2] * at.y - values[i]) > allowed * (1.0 + std::abs(values[i])))
           return false;
       }
     }
     return true;
   }
 
- private:
   double rounding_;
   Vec3d origin_, normal_, x_, y_;
   double height_ = 0.0;

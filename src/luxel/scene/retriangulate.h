@@ -24,7 +24,7 @@ enum class JoinedAt { vertices, places };
 // the edges of its neighbours, which are not cut.
 //
 // Triangles of such a surface stand at the place of its first one, and have that one's line;
-// Scene::retriangulated records them. Cost: a scan of the triangles; where there are needles, about 0.6 s per
+// Scene::retriangulated records them. Cost: a scan of the triangles; where there are needles, about 1.3 s per
 // million triangles on the calling thread.
 Retriangulated retriangulate_needles(Scene& scene, JoinedAt joined = JoinedAt::places);
 
