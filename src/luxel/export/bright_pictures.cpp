@@ -33,11 +33,12 @@ struct BrightPlaces {
   std::vector<std::pair<double, Vec3>> needed;  // the area of each patch there, and its vertex colour
 };
 
-// Returns how many pixels have each code of a channel.
+// Returns the part of the pixels that has each code of a channel.
 std::array<double, 256> histogram(const Raster& picture, int channel) {
-  std::array<double, 256> count{};
-  for (const auto& code : picture.codes) ++count[code[static_cast<std::size_t>(channel)]];
-  return count;
+  std::array<double, 256> part{};
+  for (const auto& code : picture.codes) ++part[code[static_cast<std::size_t>(channel)]];
+  for (auto& p : part) p /= static_cast<double>(picture.codes.size());
+  return part;
 }
 
 // Returns what a gain of one channel loses: the mean part of the light that is missing on the surfaces that
@@ -46,16 +47,15 @@ double loss(float gain, int channel, const BrightPlaces& places, const std::arra
   double missing = 0.0;
   for (const auto& [area, needed] : places.needed)
     missing += area * std::max(0.0, 1.0 - static_cast<double>(gain / needed[channel]));
-  double white = 0.0, count = 0.0;
+  double white = 0.0;
   for (std::size_t code = 0; code < pixels.size(); ++code) {
     const auto bright = gain * srgb_decode(static_cast<float>(code) / 255.0f);
     if (bright > 1.0f) white += pixels[code] * static_cast<double>(1.0f - 1.0f / bright);
-    count += pixels[code];
   }
-  return missing / places.area + white / count;
+  return missing / places.area + white;
 }
 
-// Each of them makes one code that the picture has white.
+// Returns the gains that lose least; each makes one of the codes of the picture white.
 Vec3 best_gains(const Raster& picture, const BrightPlaces& places) {
   Vec3 best(1.0f);
   if (picture.codes.empty()) return best;
@@ -63,8 +63,8 @@ Vec3 best_gains(const Raster& picture, const BrightPlaces& places) {
     const auto pixels = histogram(picture, c);
     auto smallest = loss(1.0f, c, places, pixels);
     for (std::size_t code = 255; code > 0; --code) {
-      const auto gain = std::min(largest_gain, 1.0f / srgb_decode(static_cast<float>(code) / 255.0f));
       if (pixels[code] == 0.0) continue;
+      const auto gain = std::min(largest_gain, 1.0f / srgb_decode(static_cast<float>(code) / 255.0f));
       if (const auto found = loss(gain, c, places, pixels); found < smallest) {
         smallest = found;
         best[c] = gain;

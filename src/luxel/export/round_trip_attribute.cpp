@@ -6,7 +6,7 @@
 namespace luxel {
 
 RoundTripAttribute::Numbers RoundTripAttribute::at(std::uint32_t vertex) const {
-  if (const auto of_file = part_.vertices - part_.halved.size(); vertex >= of_file) {
+  if (const auto of_file = part_.vertices_of_file(); vertex >= of_file) {
     const auto [a, b] = part_.halved[vertex - of_file];
     return between({{a, b, b}, {0.5, 0.5, 0.0}});
   }

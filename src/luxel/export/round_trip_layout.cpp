@@ -45,7 +45,7 @@ std::optional<GivenLayout> round_trip_layout(const Scene& scene, const PatchSet&
         page_of.try_emplace(part.drawn.placed.number, static_cast<std::uint32_t>(page_of.size()))
             .first->second;
     const GltfArray array(file, place, 2, 2);
-    const auto of_file = part.vertices - part.halved.size();
+    const auto of_file = part.vertices_of_file();
     if (array.size() < of_file)
       place.refuse(fmt::format("expected {} elements, found {}", of_file, array.size()));
     std::vector<Vec2> uvs;

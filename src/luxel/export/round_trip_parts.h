@@ -20,6 +20,8 @@ struct RoundTripPart {
                                                       // of the scene's corners
   bool mirrored = false;                              // the file winds its triangles the other way
   bool as_read = true;                                // no triangle was turned since
+
+  std::size_t vertices_of_file() const { return vertices - halved.size(); }
 };
 
 // Returns whether the part draws triangles, all of them opaque. A part has one material.

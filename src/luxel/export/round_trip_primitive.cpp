@@ -49,7 +49,7 @@ struct MovedSurface {
 void extend(GltfWriter& copy, GltfFile& file, const JsonValue& attributes, const RoundTripPart& part,
             const MovedSurface& moved, const std::string& path) {
   const auto& surface = moved.surface;
-  const auto vertices = part.vertices - part.halved.size();
+  const auto vertices = part.vertices_of_file();
   for (const auto& name : attributes.keys()) {
     const GltfArray array(file, attributes[name], 1, 4);
     const auto kind = kind_of(name);

@@ -28,7 +28,7 @@ constexpr double longest_of_scene = 0.01;  // of its diagonal: shorter needles s
 constexpr double height_roundings = 8.0;   // heights of triangles, in roundings of the coordinates
 constexpr std::size_t points_per_triangle = 4, more_points = 50;
 
-// What a corner of a triangle has besides its place.
+// Attributes of a corner of a triangle, without its position.
 struct Attributes {
   std::vector<Vec2> places;  // [set]: on pictures
   Vec3 colour = Vec3(1.0f);
@@ -93,7 +93,8 @@ class Plane {
   }
 
  private:
-  // Of the errors of the triangle, at a place.
+  // Factor by which errors of the triangle are larger at a place, where its plane and functions are
+  // extrapolated.
   double growth(const Vec3d& place) const { return 1.0 + glm::distance(place, origin_) / height_; }
 
   bool is_near(const Vec3d& place) const {
@@ -156,6 +157,7 @@ Neighbours neighbours_of(const Scene& scene, const CleanTriangles& clean, std::s
 
 // A flat surface: its triangles, and the same as a mesh of the plane.
 struct Surface {
+  std::uint32_t largest = none;          // clean triangle, whose plane it is
   std::vector<std::uint32_t> triangles;  // clean ones, ascending
   FragmentMesh mesh;
   double steps_per_metre = 1.0;          // of the mesh's grid
@@ -200,10 +202,8 @@ class Retriangulation {
     return triangle_area(p[0], p[1], p[2]);
   }
   bool is_needle(std::size_t triangle) const {
-    const auto p = corners(triangle);
-    const auto longest =
-        std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
-    return static_cast<double>(longest) > longest_ && slenderness(p[0], p[1], p[2]) > needle_of_file;
+    const auto [a, b, c] = corners(triangle);
+    return longest_edge(a, b, c) > longest_ && slenderness(a, b, c) > needle_of_file;
   }
   bool has_needles() const {
     for (std::size_t t = 0; t < scene_.triangles.size(); ++t)
@@ -223,6 +223,7 @@ class Retriangulation {
       if (is_taken[first] || neighbours_[first] == std::array{none, none, none}) continue;
       const Plane plane(scene_, clean_.kept[first].triangle, rounding_);
       Surface surface;
+      surface.largest = first;
       bool any_needle = false;
       std::vector<std::uint32_t> open{first};
       is_taken[first] = true;
@@ -238,15 +239,14 @@ class Retriangulation {
           }
       }
       if (!any_needle || surface.triangles.size() < 3) continue;
-      std::sort(surface.triangles.begin() + 1, surface.triangles.end());  // the largest stays first
+      std::sort(surface.triangles.begin(), surface.triangles.end());
       result.push_back(std::move(surface));
     }
     return result;
   }
 
   void make_mesh(Surface& surface) const {
-    const Plane plane(scene_, clean_.kept[surface.triangles.front()].triangle, rounding_);
-    std::sort(surface.triangles.begin(), surface.triangles.end());
+    const Plane plane(scene_, clean_.kept[surface.largest].triangle, rounding_);
     const auto fragment_of = [&](std::uint32_t t) {
       const auto at = std::lower_bound(surface.triangles.begin(), surface.triangles.end(), t);
       return at != surface.triangles.end() && *at == t

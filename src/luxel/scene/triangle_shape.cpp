@@ -12,13 +12,13 @@ namespace {
 
 constexpr double smallest_area2 = 1e-34;  // m²; this value, and a power divided by it, still fit a float
 
+}  // namespace
+
 double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto length2 = [](const Vec3d& edge) { return glm::dot(edge, edge); };
   return std::sqrt(
       std::max({length2(Vec3d(b) - Vec3d(a)), length2(Vec3d(c) - Vec3d(b)), length2(Vec3d(a) - Vec3d(c))}));
 }
-
-}  // namespace
 
 bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
