@@ -29,8 +29,10 @@ struct PatchOptions {
   std::size_t target_count = 50'000;
   std::size_t max_count = 20'000'000;  ///< more is an InputError with a max_edge that fits
   bool contacts = true;  ///< cut where surfaces touch or pass through each other, or hang close before them
-  /// Lines, and patches that these add, where surfaces touch: more is an InputError. 0: 12 per triangle, at
-  /// least 200,000.
+  /// Lines, and patches that these add, where surfaces touch: more is an InputError. 0: 12 patches per
+  /// triangle, at least 200,000, beyond which triangles stay whole where lines are densest, with a warning;
+  /// more than 64 lines per triangle (200,000 at least, four million or 12 per triangle at most) are an
+  /// InputError.
   std::size_t max_contacts = 0;
   float contact_gap = 1e-4f;  ///< m; surfaces so near touch (at most a hundredth of their shortest edge)
   /// Cut along these, too. make_patches_for_light() (solve/bake.h) finds them; any order, any number.
@@ -57,14 +59,14 @@ struct PatchOptions {
 /// The monitor receives the stage "patches"; after its stop the set is empty.
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});
 
-/// Throws the InputError of make_patches() where surfaces touch or pass through each other in more places
-/// than PatchOptions::max_contacts allows. Does nothing if PatchOptions::contacts is false. Call it before
+/// Throws the InputError of make_patches() where surfaces touch or pass through each other along more lines
+/// than max_contact_lines(). Does nothing if PatchOptions::contacts is false. Call it before
 /// tracing rays in an untrusted scene: if most triangles intersect, each ray tests hundreds of them. Cost:
 /// half of make_patches().
 void check_contacts(const Scene& scene, const PatchOptions& options, const Context& context = {});
 
-/// Returns the limit that PatchOptions::max_contacts means in a scene of this many triangles.
-std::size_t contact_budget(const PatchOptions& options, std::size_t triangles);
+/// Returns the limit of the lines where surfaces touch in a scene of this many triangles.
+std::size_t max_contact_lines(const PatchOptions& options, std::size_t triangles);
 
 /// Returns the edge that automatic_edge means in this scene, m.
 float automatic_max_edge(const Scene& scene, std::size_t target_count);

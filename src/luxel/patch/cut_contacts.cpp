@@ -45,15 +45,17 @@ struct EdgeLine {
 
 class Cutter {
  public:
-  Cutter(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines, std::size_t most)
-      : patches_(patches), weld_(weld), lines_(lines), max_added_(most) {}
+  Cutter(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines, std::size_t max_added)
+      : patches_(patches), weld_(weld), lines_(lines), max_added_(max_added) {}
 
-  void cut(std::span<const LineOnPatch> on) {
+  // Returns the number of patches that stay whole inside.
+  std::size_t cut(std::span<const LineOnPatch> on) {
     for (const auto& o : on) place(o);
     edge_points_.settle(weld_);
     for (const auto& line : edge_lines_) mark(line);
     cut_patches();
     finish_contacts();
+    return whole_;
   }
 
  private:
@@ -201,7 +203,10 @@ class Cutter {
       ends.push_back({point_of(line.from, fragments, vertex), point_of(line.to, fragments, vertex)});
     for (std::size_t i = 0; i < inner.size(); ++i) {
       fragments.add_line(ends[i][0], ends[i][1], inner[i].line);
-      if (added_ + fragments.fragments().size() > max_added_) refuse_contacts(max_added_);
+      if (added_ + fragments.fragments().size() > max_added_) {
+        ++whole_;
+        return cut_patch(patch, {}, cut);
+      }
     }
     added_ += fragments.fragments().size() - 1;
     fragments.improve();
@@ -252,7 +257,7 @@ class Cutter {
   PatchSet& patches_;
   VertexWeld& weld_;
   std::span<const ContactLine> lines_;
-  std::size_t max_added_, added_ = 0;  // patches
+  std::size_t max_added_, added_ = 0, whole_ = 0;  // patches
   EdgePoints edge_points_;
   std::vector<InnerLine> inner_lines_;
   std::vector<EdgeLine> edge_lines_;
@@ -260,9 +265,9 @@ class Cutter {
 
 }  // namespace
 
-void cut_along_contacts(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines,
-                        std::span<const LineOnPatch> on, std::size_t most) {
-  Cutter(patches, weld, lines, most).cut(on);
+std::size_t cut_along_contacts(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines,
+                               std::span<const LineOnPatch> on, std::size_t max_added) {
+  return Cutter(patches, weld, lines, max_added).cut(on);
 }
 
 }  // namespace luxel

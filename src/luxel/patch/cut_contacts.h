@@ -23,11 +23,11 @@ struct LineOnPatch {
 // their areas sum to the patch's but for rounding. A fragment that floats give no area at all is left out.
 // Patches that no line meets stay as they are.
 //
-// Throws InputError where this would add more patches than `most`: several hundred lines that cross on one
-// triangle would make a hundred thousand.
+// Several hundred lines that cross on one patch would make a hundred thousand: a patch that would add more
+// than `max_added` with those before it gets no cuts in its inside. Returns the number of such patches.
 //
 // The vertices of `patches` are those of the weld, to which new ones are added. on: sorted by patch.
-void cut_along_contacts(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines,
-                        std::span<const LineOnPatch> on, std::size_t most);
+std::size_t cut_along_contacts(PatchSet& patches, VertexWeld& weld, std::span<const ContactLine> lines,
+                               std::span<const LineOnPatch> on, std::size_t max_added);
 
 }  // namespace luxel

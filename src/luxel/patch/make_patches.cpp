@@ -20,6 +20,7 @@
 #include "luxel/patch/colour_patches.h"
 #include "luxel/patch/contact_lines.h"
 #include "luxel/patch/cut_contacts.h"
+#include "luxel/patch/dense_lines.h"
 #include "luxel/patch/line_search.h"
 #include "luxel/patch/make_panes.h"
 #include "luxel/patch/near_lines.h"
@@ -185,7 +186,7 @@ std::vector<ContactLine> outlines_near(const std::vector<CleanTriangle>& triangl
   for (const auto& p : positions) box.add(p);
   const auto distance = std::min(of_edge * max_edge, of_scene * static_cast<double>(glm::length(box.size())));
   return find_near_lines(triangles, positions, options.contact_gap, distance,
-                         contact_budget(options, triangles.size()), context);
+                         max_contact_lines(options, triangles.size()), context);
 }
 
 // Shadow lines on triangles that are left, as lines of something that stands along the normal.
@@ -205,14 +206,38 @@ std::vector<ContactLine> shadow_edges(const std::vector<CleanTriangle>& triangle
   return result;
 }
 
+// Patches that lines of contacts may add in a scene of this many triangles.
+std::size_t max_contact_patches(const PatchOptions& options, std::size_t triangles) {
+  constexpr std::size_t per_triangle = 12, of_small_scenes = 200'000;
+  return options.max_contacts > 0 ? options.max_contacts
+                                  : std::max(per_triangle * triangles, of_small_scenes);
+}
+
+// Says that surfaces stay whole where they touch too often to be cut; refuses them under a limit that was
+// given.
+void leave_whole(const std::string& surfaces, const PatchOptions& options, const Context& context) {
+  if (options.max_contacts > 0) refuse_contacts(options.max_contacts);
+  context.warn(fmt::format("surfaces touch or pierce one another in so many places that {} not cut there: "
+                           "light may leak across these places",
+                           surfaces),
+               {{Setting::max_contacts}});
+}
+
 std::vector<ContactLine> lines_to_cut(const std::vector<CleanTriangle>& triangles,
                                       const std::vector<Vec3>& positions, const PatchOptions& options,
                                       double max_edge, const Context& context) {
   std::vector<ContactLine> lines;
   if (options.contacts) {
-    lines = find_contact_lines(triangles, positions, options.contact_gap,
-                               contact_budget(options, triangles.size()), context);
+    const auto max_lines = max_contact_lines(options, triangles.size());
+    lines = find_contact_lines(triangles, positions, options.contact_gap, max_lines, context);
     merge_into(lines, outlines_near(triangles, positions, options, max_edge, context));
+    if (options.max_contacts == 0) {
+      const auto max_added = static_cast<double>(max_contact_patches(options, triangles.size()));
+      const auto whole = leave_out_dense_lines(lines, triangles, positions, max_edge, max_added);
+      if (whole > 0)
+        leave_whole(fmt::format("{} of the triangles, where these are densest, are", whole), options,
+                    context);
+    }
   }
   if (!options.shadow_lines.empty()) merge_into(lines, shadow_edges(triangles, options.shadow_lines));
   return lines;
@@ -251,10 +276,12 @@ void say_what_was_cut(std::span<const ContactLine> lines, std::size_t before, co
 
 }  // namespace
 
-std::size_t contact_budget(const PatchOptions& options, std::size_t triangles) {
-  constexpr std::size_t per_triangle = 12, of_small_scenes = 200'000;
-  return options.max_contacts > 0 ? options.max_contacts
-                                  : std::max(per_triangle * triangles, of_small_scenes);
+std::size_t max_contact_lines(const PatchOptions& options, std::size_t triangles) {
+  // About 100 bytes each. Where a triangle has more lines in the mean, each ray passes as many triangles.
+  constexpr std::size_t per_triangle = 64, in_memory = 4'000'000;
+  const auto patches = max_contact_patches(options, triangles);
+  return options.max_contacts > 0 ? patches
+                                  : std::max(patches, std::min(per_triangle * triangles, in_memory));
 }
 
 void check_contacts(const Scene& scene, const PatchOptions& options, const Context& context) {
@@ -263,7 +290,7 @@ void check_contacts(const Scene& scene, const PatchOptions& options, const Conte
   VertexWeld weld;
   const auto triangles = clean_triangles(scene, weld, context.quiet()).kept;
   find_contact_lines(triangles, weld.positions(), options.contact_gap,
-                     contact_budget(options, triangles.size()), context);
+                     max_contact_lines(options, triangles.size()), context);
 }
 
 float automatic_max_edge(const Scene& scene, std::size_t target_count) {
@@ -307,9 +334,10 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
     const auto before = patches.size();
     check_memory(patches, lines.size());
     constexpr std::size_t of_shadow_line = 20;  // they have a limit of their own, ShadowLineOptions
-    cut_along_contacts(
-        patches, weld, lines, splitter.lines_on_patches(),
-        contact_budget(options, triangles.size()) + of_shadow_line * options.shadow_lines.size());
+    const auto max_added =
+        max_contact_patches(options, triangles.size()) + of_shadow_line * options.shadow_lines.size();
+    const auto whole = cut_along_contacts(patches, weld, lines, splitter.lines_on_patches(), max_added);
+    if (whole > 0) leave_whole(fmt::format("{} patches are", whole), options, context);
     if (patches.size() > options.max_count)
       throw with_hints(
           InputError(fmt::format("more than {} patches where surfaces touch: a longer edge is needed, or no "

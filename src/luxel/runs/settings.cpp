@@ -124,7 +124,7 @@ void SceneSettings::declare_contacts(OptionSet& set) {
   set.add(
       {"max-contacts", "count",
        "maximum number of lines, and of patches added, where surfaces touch or intersect; more is refused; "
-       "auto: 12 per triangle, at least 200k",
+       "auto: 12 patches per triangle, at least 200k, and triangles with the densest lines stay whole",
        [this](const std::string& text) {
          patches.max_contacts = text == "auto" ? 0 : parse_count("max-contacts", text);
        },

@@ -42,7 +42,7 @@ PatchSet make_patches_for_light(const Scene& scene, PatchOptions options, const 
                          .widest_penumbra = (is_automatic ? automatic_penumbra : given_penumbra) *
                                             static_cast<double>(max_edge),
                          .contact_gap = static_cast<double>(options.contact_gap),
-                         .max_contacts = contact_budget(options, scene.triangles.size()),
+                         .max_contacts = max_contact_lines(options, scene.triangles.size()),
                          .max_patches = max_shadow_patches(scene, patches)},
                         context);
   options.shadow_lines.insert(options.shadow_lines.end(), lines.begin(), lines.end());

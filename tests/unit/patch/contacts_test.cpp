@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "luxel/core/address.h"
-#include "luxel/core/hint.h"
 #include "luxel/patch/make_patches.h"
 #include "luxel/patch/plane_parts.h"
 
@@ -362,37 +361,6 @@ TEST(Contacts, are_the_same_for_any_number_of_threads) {
     EXPECT_EQ(a.contacts[i].edge, z.contacts[i].edge);
     EXPECT_EQ(a.contacts[i].into, z.contacts[i].into);
   }
-}
-
-// n triangles at random places of the unit cube, each of which pierces many others.
-Scene pierced(std::uint32_t n) {
-  SceneBuilder b;
-  b.material("grey", 0.5f, 0.0f);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const auto point = [&](std::uint32_t k) {
-      const auto u = uniform4(7, 3 * i + k);
-      return Vec3(u[0], u[1], u[2]);
-    };
-    b.triangle(point(0), point(1), point(2));
-  }
-  return b.scene();
-}
-
-TEST(Contacts, in_too_many_places_are_refused_and_the_limit_can_be_raised) {
-  const auto scene = pierced(200);
-  const PatchOptions few = {.max_edge = no_max_edge, .max_contacts = 1000};
-  try {
-    make_patches(scene, few);
-    FAIL() << "expected an InputError";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("more than 1000 lines or patches"), std::string::npos)
-        << error.what();
-    EXPECT_EQ(hints_of(error).front().setting, Setting::max_contacts);
-  }
-  const PatchOptions many = {.max_edge = no_max_edge};
-  const auto patches = make_patches(scene, many);
-  EXPECT_GT(patches.size(), 1000u);
-  EXPECT_LT(patches.size(), 200'000u);
 }
 
 }  // namespace
