@@ -60,9 +60,9 @@ struct PatchOptions {
 PatchSet make_patches(const Scene& scene, const PatchOptions& options = {}, const Context& context = {});
 
 /// Throws the InputError of make_patches() where surfaces touch or pass through each other along more lines
-/// than max_contact_lines(). Does nothing if PatchOptions::contacts is false. Call it before
-/// tracing rays in an untrusted scene: if most triangles intersect, each ray tests hundreds of them. Cost:
-/// half of make_patches().
+/// than max_contact_lines(). Does nothing if PatchOptions::contacts is false. Call it before tracing rays in
+/// an untrusted scene: if most triangles intersect, each ray tests hundreds of them. Cost: half of
+/// make_patches().
 void check_contacts(const Scene& scene, const PatchOptions& options, const Context& context = {});
 
 /// Returns the limit of the lines where surfaces touch in a scene of this many triangles.

@@ -213,7 +213,7 @@ std::size_t max_contact_patches(const PatchOptions& options, std::size_t triangl
                                   : std::max(per_triangle * triangles, of_small_scenes);
 }
 
-// Says that surfaces stay whole where they touch too often to be cut; refuses them under a limit that was
+// Warns that surfaces stay whole where they touch in too many places; refuses them under a limit that was
 // given.
 void leave_whole(const std::string& surfaces, const PatchOptions& options, const Context& context) {
   if (options.max_contacts > 0) refuse_contacts(options.max_contacts);
