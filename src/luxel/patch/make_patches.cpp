@@ -213,13 +213,15 @@ std::size_t max_contact_patches(const PatchOptions& options, std::size_t triangl
                                   : std::max(per_triangle * triangles, of_small_scenes);
 }
 
-// Warns that surfaces stay whole where they touch in too many places; refuses them under a limit that was
-// given.
-void leave_whole(const std::string& surfaces, const PatchOptions& options, const Context& context) {
+// Warns that some surfaces are not cut, since there are too many contacts; refuses them under a limit that
+// was given. surfaces: "triangles" or "patches".
+void leave_whole(std::size_t count, const char* surfaces, const PatchOptions& options,
+                 const Context& context) {
+  if (count == 0) return;
   if (options.max_contacts > 0) refuse_contacts(options.max_contacts);
-  context.warn(fmt::format("surfaces touch or pierce one another in so many places that {} not cut there: "
-                           "light may leak across these places",
-                           surfaces),
+  context.warn(fmt::format("surfaces touch or pierce one another in so many places that {} {} with the "
+                           "densest contacts are not cut: light may leak there",
+                           count, surfaces),
                {{Setting::max_contacts}});
 }
 
@@ -233,10 +235,8 @@ std::vector<ContactLine> lines_to_cut(const std::vector<CleanTriangle>& triangle
     merge_into(lines, outlines_near(triangles, positions, options, max_edge, context));
     if (options.max_contacts == 0) {
       const auto max_added = static_cast<double>(max_contact_patches(options, triangles.size()));
-      const auto whole = leave_out_dense_lines(lines, triangles, positions, max_edge, max_added);
-      if (whole > 0)
-        leave_whole(fmt::format("{} of the triangles, where these are densest, are", whole), options,
-                    context);
+      leave_whole(leave_out_dense_lines(lines, triangles, positions, max_edge, max_added), "triangles",
+                  options, context);
     }
   }
   if (!options.shadow_lines.empty()) merge_into(lines, shadow_edges(triangles, options.shadow_lines));
@@ -337,7 +337,7 @@ PatchSet make_patches(const Scene& scene, const PatchOptions& options, const Con
     const auto max_added =
         max_contact_patches(options, triangles.size()) + of_shadow_line * options.shadow_lines.size();
     const auto whole = cut_along_contacts(patches, weld, lines, splitter.lines_on_patches(), max_added);
-    if (whole > 0) leave_whole(fmt::format("{} patches are", whole), options, context);
+    leave_whole(whole, "patches", options, context);
     if (patches.size() > options.max_count)
       throw with_hints(
           InputError(fmt::format("more than {} patches where surfaces touch: a longer edge is needed, or no "
