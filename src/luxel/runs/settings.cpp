@@ -192,9 +192,10 @@ RefineOptions RefineSettings::options(std::size_t patches) const {
   RefineOptions options{.mesh_error = mesh_error, .max_patches = max_patches};
   if (mesh_error != automatic) return options;
   // An error of the mesh as large as that of the light, for about the cost of the light.
-  constexpr std::size_t enough = 100'000;
+  constexpr std::size_t enough = 100'000, more_where_it_pays = 150'000;
   options.mesh_error = 0.02;
-  options.max_patches = std::min(max_patches, std::max(enough, patches + patches / 2));
+  options.usual_patches = std::max(enough, patches + patches / 2);
+  options.max_patches = std::min(max_patches, std::max(options.usual_patches, patches + more_where_it_pays));
   options.max_levels = 16;
   options.max_cost = 0.5;
   // The same for each --quality, --error and --seed, as the mesh is: that of the light at its default.
@@ -206,7 +207,8 @@ void RefineSettings::declare(OptionSet& set) {
   set.add({"mesh-error", "fraction",
            "refine patches until the error that their size leaves is below this, in the measure of --error; "
            "auto: 2%, with at most half as many rays as the light takes, or 20 million, and half as many "
-           "patches again, or 100,000; none where --max-edge, --rays or --time is given, and in the viewer; "
+           "patches again, or 100,000, more where that pays; none where --max-edge, --rays or --time is "
+           "given, and in the viewer; "
            "none disables refinement",
            [this](const std::string& text) {
              const auto fraction = text == "none"   ? std::optional(0.0)

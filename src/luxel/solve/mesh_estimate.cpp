@@ -8,6 +8,7 @@
 
 #include "luxel/patch/refine_patches.h"
 #include "luxel/patch/side.h"
+#include "luxel/solve/cut_patches.h"
 #include "luxel/solve/seen_measure.h"
 
 namespace luxel {
@@ -121,6 +122,33 @@ void MeshEstimate::predict_cut(std::span<const std::uint32_t> parent) {
 }
 
 // The estimate is of what halving would remove; left_by_halving of the squared error would remain.
+std::vector<std::uint8_t> MeshEstimate::patches_to_cut(double aimed, double max_uncut,
+                                                       std::size_t min_count) const {
+  const auto& [squared, noise] = expected_;
+  std::vector<std::uint32_t> order;
+  double left = 0.0;
+  for (std::uint32_t p = 0; p < squared.size(); ++p) {
+    if (squared[p] <= noise[p]) continue;
+    order.push_back(p);
+    left += squared[p];
+  }
+  sort_by_weight(beyond_noise(squared, noise), order);
+  const auto enough = max_uncut * left;
+  std::size_t count = 0;
+  double cut = 0.0;
+  std::vector<std::uint8_t> marks(squared.size(), 0);
+  for (const auto p : order) {
+    if ((left <= enough && count >= min_count) ||
+        left + left_by_halving * cut <= aimed * (1.0 - left_by_halving))
+      break;
+    marks[p] = 1;
+    ++count;
+    left -= squared[p];
+    cut += squared[p];
+  }
+  return marks;
+}
+
 double MeshEstimate::error() const { return sqrt_of_sum(expected_, 1.0 - left_by_halving); }
 
 double mesh_error_of(const PatchSet& patches, const Tracer& tracer, std::array<Solution, 2> halves,

@@ -43,6 +43,12 @@ class MeshEstimate {
   // After a cut on which no light is found, for error(): the parts have what halving leaves.
   void predict_cut(std::span<const std::uint32_t> parent);
 
+  // [patch]: 1 for the fewest patches whose cut leaves about `aimed` of the squared error; where that would
+  // take patches with nearly all of the error, only as many as leave max_uncut of it, but at least min_count:
+  // the rest is left to the next mesh, whose estimate is better. Differences that noise can explain are no
+  // reason to cut, and those most above noise come first.
+  std::vector<std::uint8_t> patches_to_cut(double aimed, double max_uncut, std::size_t min_count) const;
+
   double error() const;  // of the mesh; high by a standard error of the sum of squares
   // [patch]: what each adds to the square of the error, twice what is left by cutting it, and to that of its
   // noise. The first is unbiased as long as it decides nothing, so below 0 in places.

@@ -52,6 +52,8 @@ constexpr int max_trials = 5;
 constexpr double min_gain = 0.1;  // of the squared error in patches that are cut, for another level
 // patches over those before, for another level, where the cost has a bound
 constexpr double min_level = 1.01;
+// Estimated error over that of the level before, up to which more than the usual patches pay.
+constexpr double max_left_by_level = 0.6;
 // At most, of a solve, where the cost has a bound: some scenes do not come near their error.
 constexpr double part_of_free_rays = 0.4;
 constexpr std::uint64_t rays_per_side = 64;
@@ -72,6 +74,10 @@ struct Level {
   std::uint64_t rays = 0;
 };
 
+std::size_t usual_patches(const RefineOptions& options) {
+  return std::min(options.usual_patches, options.max_patches);
+}
+
 class Refinement {
   using Clock = std::chrono::steady_clock;
 
@@ -86,10 +92,12 @@ class Refinement {
   }
 
   PatchSet go() {
-    if (!look(cut_large_patches(now_.patches, options_.light.error_measure, options_.max_patches, context_)))
+    if (!look(
+            cut_large_patches(now_.patches, options_.light.error_measure, usual_patches(options_), context_)))
       return end(RefineStop::stopped_by_user);
     bound_cost();
     if (!cut_on_trial()) return end(RefineStop::stopped_by_user);
+    double error_before = 0.0;  // estimated for the mesh before
     for (int level = 0;; ++level) {
       if (is_met()) {
         if (cuts_ == 0 || is_cost_bounded()) return end(RefineStop::mesh_error_reached);
@@ -97,15 +105,20 @@ class Refinement {
         continue;
       }
       // The next level costs about as much as the last one that was cut.
-      const bool is_last = !is_within_cost(report_.levels.size() > 1 ? report_.levels.back().rays : 0);
+      const bool is_within = is_within_cost(report_.levels.size() > 1 ? report_.levels.back().rays : 0);
+      const bool pays = level == 0 || estimate_.error() <= max_left_by_level * error_before;
+      const bool is_last = !is_within || (!pays && now_.patches.size() >= usual_patches(options_));
+      error_before = estimate_.error();
       const auto marks = marked_by_difference(is_last);
       if (!is_worth_a_level(marks)) return end(RefineStop::drowned_in_noise);
       if (level == options_.max_levels) return end(RefineStop::level_limit);
-      auto refined = cut_marked(marks);
+      auto refined = cut_marked(marks, pays || is_last ? options_.max_patches : usual_patches(options_));
       if (!refined) return end(RefineStop::patch_limit);
-      if (is_last || (is_cost_bounded() && static_cast<double>(refined->patches.size()) <
-                                               min_level * static_cast<double>(now_.patches.size())))
-        return end_unseen(std::move(*refined));
+      if (is_last)
+        return end_unseen(std::move(*refined), is_within ? RefineStop::patch_limit : RefineStop::cost_limit);
+      if (is_cost_bounded() &&
+          static_cast<double>(refined->patches.size()) < min_level * static_cast<double>(now_.patches.size()))
+        return end_unseen(std::move(*refined), RefineStop::patch_limit);
       if (!look(std::move(*refined))) return end(RefineStop::stopped_by_user);
       ++cuts_;
     }
@@ -120,12 +133,12 @@ class Refinement {
   }
 
   // Ends with a mesh on which no light is solved: its error is the prediction that it was cut by.
-  PatchSet end_unseen(RefinedPatches refined) {
+  PatchSet end_unseen(RefinedPatches refined, RefineStop stop) {
     estimate_.predict_cut(refined.parent);
     const auto sampling_error = report_.levels.back().sampling_error;
     report_.levels.push_back({refined.patches.size(), mesh_error(), sampling_error, 0});
     now_ = {std::move(refined.patches), {}, 0.0, 0};
-    return end(RefineStop::cost_limit);
+    return end(stop);
   }
 
   double mesh_error() const { return excess_after(cuts_) * estimate_.error(); }
@@ -305,7 +318,8 @@ class Refinement {
       if (std::accumulate(squared.begin(), squared.end(), 0.0) < min_found * target) return true;
       // Each leaves half of the patches that may be added to those that follow.
       const auto size = now_.patches.size();
-      const auto room = options_.max_patches > size ? options_.max_patches - size : 0;
+      const auto limit = usual_patches(options_);
+      const auto room = limit > size ? limit - size : 0;
       const auto marks = larger_than(target / static_cast<double>(size), squared);
       auto refined = cut_within_limit(now_.patches, marks, squared, size + room / 2, context_);
       if (!refined || refined->patches.size() == size) return true;
@@ -338,41 +352,17 @@ class Refinement {
     report_.levels.push_back({now_.patches.size(), mesh_error(), now_.sampling_error, now_.rays});
   }
 
-  // The fewest patches that reduce the error to about the target. Where that would require cutting patches
-  // with nearly all of the error, part of it is left to the next mesh, whose estimate is better. Differences
-  // that noise can explain are no reason to cut, and those most above noise come first. is_last: no mesh
-  // follows the next one.
+  // is_last: no light is found on the next mesh; only the few patches most above noise are cut then.
   std::vector<std::uint8_t> marked_by_difference(bool is_last) const {
-    const auto squared = estimate_.squared(), noise = estimate_.noise();
-    std::vector<std::uint32_t> order;
-    double left = 0.0;
-    for (std::uint32_t p = 0; p < now_.patches.size(); ++p) {
-      if (squared[p] <= noise[p]) continue;
-      order.push_back(p);
-      left += squared[p];
-    }
-    sort_by_weight(beyond_noise(squared, noise), order);
     const auto target = options_.mesh_error / (is_cost_bounded() ? excess_after(cuts_ + 1) : 1.0);
-    const auto aimed = aim * target * target * (1.0 - left_by_halving);
-    const auto least = is_last ? left : max_unrefined_fraction * left;
     const auto size = static_cast<double>(now_.patches.size());
-    const auto few = static_cast<std::size_t>(
-        std::max(step_of_large_meshes * size, std::min(usual_step * size, double{large_step})));
-    std::size_t count = 0;
-    double cut = 0.0;
-    std::vector<std::uint8_t> marks(now_.patches.size(), 0);
-    for (const auto p : order) {
-      if ((left <= least && count >= few) || left + left_by_halving * cut <= aimed) break;
-      marks[p] = 1;
-      ++count;
-      left -= squared[p];
-      cut += squared[p];
-    }
-    return marks;
+    const auto few = std::max(step_of_large_meshes * size, std::min(usual_step * size, double{large_step}));
+    return estimate_.patches_to_cut(aim * target * target, is_last ? 1.0 : max_unrefined_fraction,
+                                    static_cast<std::size_t>(few));
   }
 
-  std::optional<RefinedPatches> cut_marked(std::span<const std::uint8_t> marks) const {
-    return cut_within_limit(now_.patches, marks, estimate_.squared(), options_.max_patches, context_);
+  std::optional<RefinedPatches> cut_marked(std::span<const std::uint8_t> marks, std::size_t limit) const {
+    return cut_within_limit(now_.patches, marks, estimate_.squared(), limit, context_);
   }
 
   RefineOptions options_;

@@ -8,7 +8,8 @@
 
 namespace luxel {
 
-Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, std::span<const float> weight) {
+Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, std::span<const float> weight,
+                    std::size_t cameras) {
   const auto is_focused = [&](SideId side) {
     return patches.focus.empty() || patches.focus[side.patch()] != 0;
   };
@@ -29,6 +30,7 @@ Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, st
     }
     views.eye.push_back(looks[i].eye);
     views.weight.push_back(weight[i]);
+    if (i + cameras >= looks.size()) ++views.cameras;
     views.first.push_back(static_cast<std::uint32_t>(views.seen.size()));
   }
   const auto sum = std::accumulate(views.weight.begin(), views.weight.end(), 0.0);

@@ -10,8 +10,10 @@
 
 namespace luxel {
 
-// Looks as views, with the sides they see listed once. weight: [look], scaled so that they add up to 1. Looks
-// that see no side in the focus are left out.
-Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, std::span<const float> weight);
+// Looks as views, with the sides they see listed once. weight: [look], scaled so that they add up to 1.
+// cameras: number of looks, the last, which are those of cameras. Looks that see no side in the focus are
+// left out.
+Views collect_views(const PatchSet& patches, std::span<const Panorama> looks, std::span<const float> weight,
+                    std::size_t cameras);
 
 }  // namespace luxel

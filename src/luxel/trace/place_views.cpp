@@ -80,7 +80,7 @@ class Placing {
     for (const auto is_stating : {0u, 1u}) {
       auto looks = look_from(weights, is_stating, sets.places);
       auto& views = is_stating ? sets.stating : sets.dealing;
-      views = collect_views(patches_, looks, view_weights(looks, sets.places));
+      views = collect_views(patches_, looks, view_weights(looks, sets.places), looks_of_cameras());
     }
     return sets;
   }
@@ -180,8 +180,10 @@ class Placing {
     return sides[std::min(sides.size() - 1, static_cast<std::size_t>(u * static_cast<float>(sides.size())))];
   }
 
+  std::size_t looks_of_cameras() const { return 2 * patches_.cameras.size(); }  // around, and of pictures
+
   std::vector<float> view_weights(const std::vector<Panorama>& looks, double places) const {
-    const auto of_cameras = 2 * patches_.cameras.size();  // looks around and pictures
+    const auto of_cameras = looks_of_cameras();
     const auto others = looks.size() - of_cameras;
     std::vector<float> weight(looks.size(), 1.0f);
     const auto place = others == 0 ? 1.0 : static_cast<double>(others) / std::max(1.0, places);
@@ -211,14 +213,14 @@ ViewSets camera_views(const PatchSet& patches, const Tracer& tracer, const Conte
       looks[i] = look_through(patches, tracer, patches.cameras[i], stream_key(seed, eye_look, element));
     });
     (is_stating ? sets.stating : sets.dealing) =
-        collect_views(patches, looks, std::vector<float>(looks.size(), 1.0f));
+        collect_views(patches, looks, std::vector<float>(looks.size(), 1.0f), looks.size());
   }
   return sets;
 }
 
 Views camera_view(const PatchSet& patches, const Tracer& tracer, const Camera& camera) {
   const std::vector<Panorama> looks{look_through(patches, tracer, camera, stream_key(seed, eye_look, 1))};
-  return collect_views(patches, looks, std::vector{1.0f});
+  return collect_views(patches, looks, std::vector{1.0f}, 1);
 }
 
 ViewSets place_views(const PatchSet& patches, const Tracer& tracer, const Context& context,

@@ -14,7 +14,9 @@ namespace {
 constexpr double adaptation_fraction = 0.05;  // of a, below which differences of light are invisible
 constexpr double max_of_median = 10.0;        // limit of the brightness of lamps
 constexpr double floor_of_median_view = 0.1;  // of the median of a over views
-constexpr double quantile = 0.95;
+constexpr double stated_quantile = 0.95;
+// A view that adapts to less than this part of what nine views of ten stay below is in the dark.
+constexpr double dark_part = 1e-4, bright_quantile = 0.9;
 
 double median(std::vector<double>& values) {
   if (values.empty()) return 0.0;
@@ -24,6 +26,27 @@ double median(std::vector<double>& values) {
 }
 
 double squared(double x) { return x * x; }
+
+// The value that the fraction q of the weight stays below; 0 without values.
+double quantile(const std::vector<double>& values, std::span<const float> weight, double q) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
+  double below = 0.0;
+  for (const auto v : order) {
+    below += static_cast<double>(weight[v]);
+    if (below >= q - 1e-6) return values[v];
+  }
+  return order.empty() ? 0.0 : values[order.back()];
+}
+
+// What an eye adapts to that sees these radiances; they are reordered.
+double adaptation_to(std::vector<double>& radiance) {
+  const auto most = max_of_median * median(radiance);
+  double sum = 0.0;
+  for (const auto L : radiance) sum += std::min(L, most);
+  return sum / static_cast<double>(std::max<std::size_t>(1, radiance.size()));
+}
 
 // 1 / (L + 0.05 a)², 0 without any light.
 double sensitivity(double radiance, double adaptation) {
@@ -69,22 +92,38 @@ float sky_radiance(const PatchSet& patches) {
   return sky.empty() ? 0.0f : static_cast<float>(std::sqrt(sum / static_cast<double>(sky.size())));
 }
 
-SeenError::SeenError(const Views& views, const SeenLight& light) : views_(views), light_(light) {
-  std::vector<double> radiance;
+SeenError::SeenError(const Views& views, const SeenLight& light)
+    : views_(views), light_(light), weight_(views.weight) {
+  std::vector<double> at_most;  // [view], what the eye adapts to where light is brighter by its error
+  std::vector<double> radiance, upper;
   for (std::size_t v = 0; v < views.size(); ++v) {
     radiance.clear();
-    for (const auto s : views.seen_by(v))
-      radiance.push_back(
-          static_cast<double>(s == Views::sky ? light.sky : light.radiance[s & ~Views::unfocused]));
-    const auto most = max_of_median * median(radiance);
-    double sum = 0.0;
-    for (const auto L : radiance) sum += std::min(L, most);
-    adaptation_.push_back(sum / static_cast<double>(std::max<std::size_t>(1, radiance.size())));
+    upper.clear();
+    for (const auto code : views.seen_by(v)) {
+      const auto s = code & ~Views::unfocused;
+      radiance.push_back(static_cast<double>(code == Views::sky ? light.sky : light.radiance[s]));
+      upper.push_back(radiance.back());
+      if (code != Views::sky)
+        upper.back() += std::sqrt(std::max(0.0, static_cast<double>(light.squared_error[s])));
+    }
+    adaptation_.push_back(adaptation_to(radiance));
+    at_most.push_back(adaptation_to(upper));
   }
-  auto sorted = adaptation_;
-  const auto least = floor_of_median_view * median(sorted);
+  leave_out_dark_views(at_most);
+  std::vector<double> lit;
+  for (std::size_t v = 0; v < views.size(); ++v)
+    if (weight_[v] > 0.0f) lit.push_back(adaptation_[v]);
+  const auto least = floor_of_median_view * median(lit);
   for (auto& a : adaptation_) a = adaptation_fraction * std::max(a, least);
   error_ = errors(light.squared_error);
+}
+
+void SeenError::leave_out_dark_views(std::span<const double> at_most) {
+  const auto limit = dark_part * quantile(adaptation_, weight_, bright_quantile);
+  for (std::size_t v = 0; v + views_.cameras < weight_.size(); ++v)
+    if (at_most[v] < limit) weight_[v] = 0.0f;
+  const auto sum = std::accumulate(weight_.begin(), weight_.end(), 0.0);
+  for (auto& w : weight_) w = static_cast<float>(static_cast<double>(w) / sum);
 }
 
 std::vector<double> SeenError::errors(std::span<const float> squared_error) const {
@@ -103,22 +142,10 @@ std::vector<double> SeenError::errors(std::span<const float> squared_error) cons
   return result;
 }
 
-double SeenError::percentile(const std::vector<double>& errors) const {
-  std::vector<std::size_t> order(errors.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return errors[a] < errors[b]; });
-  double below = 0.0;
-  for (const auto v : order) {
-    below += static_cast<double>(views_.weight[v]);
-    if (below >= quantile - 1e-6) return errors[v];
-  }
-  return order.empty() ? 0.0 : errors[order.back()];
-}
-
-double SeenError::percentile_95() const { return percentile(error_); }
+double SeenError::percentile_95() const { return quantile(error_, weight_, stated_quantile); }
 
 double SeenError::percentile_95(std::span<const float> squared_error) const {
-  return percentile(errors(squared_error));
+  return quantile(errors(squared_error), weight_, stated_quantile);
 }
 
 std::vector<Attention> SeenError::attention() const {
@@ -129,8 +156,7 @@ std::vector<Attention> SeenError::attention() const {
   for (std::size_t v = 0; v < views_.size(); ++v) {
     const auto seen = views_.seen_by(v);
     const auto count = std::count_if(seen.begin(), seen.end(), [](auto s) { return s < Views::sky; });
-    const auto pressure =
-        static_cast<double>(views_.weight[v]) * squared(squared(std::min(error_[v], worst)));
+    const auto pressure = static_cast<double>(weight_[v]) * squared(squared(std::min(error_[v], worst)));
     sum += pressure * squared(error_[v]);
     for (const auto s : seen) {
       if (s >= Views::sky) continue;

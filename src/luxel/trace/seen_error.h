@@ -63,6 +63,11 @@ struct Attention {
 //
 // with L the radiance of the side met and s its standard error. a is the level that an eye adapts to; it
 // includes sky and lamps. The floor keeps a dark cavity with a leak from dominating the error.
+//
+// Views in the dark do not count, and are none of these views: those whose eye adapts to less than 1/10,000
+// of what nine views of ten (by weight) stay below, even if all light were brighter by its standard error.
+// They are below the floors and outside the walls of lit rooms, where light only leaks through cracks. Views
+// of cameras always count.
 class SeenError {
  public:
   // Keeps references. Cost: about 5 ns per direction.
@@ -85,10 +90,11 @@ class SeenError {
 
  private:
   std::vector<double> errors(std::span<const float> squared_error) const;
-  double percentile(const std::vector<double>& errors) const;
+  void leave_out_dark_views(std::span<const double> at_most);
 
   const Views& views_;
   const SeenLight& light_;
+  std::vector<float> weight_;       // [view], they add up to 1; 0: in the dark
   std::vector<double> adaptation_;  // [view], 0.05 a, W/(m² sr)
   std::vector<double> error_;       // [view]
 };

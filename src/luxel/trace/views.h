@@ -24,6 +24,7 @@ struct Views {
 
   std::vector<Vec3> eye;             // [view], m, in the coordinates of the patches
   std::vector<float> weight;         // [view], they add up to 1
+  std::size_t cameras = 0;           // number of views of cameras, which are the last
   std::vector<std::uint32_t> first;  // [view], and the end: its directions are seen[first[v] .. first[v + 1])
   std::vector<std::uint32_t> seen;   // [direction]: index into `sides`, or sky; may have `unfocused` set
   std::vector<SideId> sides;         // sides that are seen, ascending

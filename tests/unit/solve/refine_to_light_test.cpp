@@ -133,6 +133,29 @@ TEST(RefineToLight, it_never_makes_more_patches_than_allowed) {
   EXPECT_EQ(report.stop, RefineStop::patch_limit);
 }
 
+TEST(RefineToLight, beyond_the_usual_patches_it_goes_on_while_that_pays) {
+  const Context context(2);
+  constexpr std::size_t usual = 400;
+  const auto report_of = [&](float edge, std::size_t usual_patches) {
+    RefineReport report;
+    refine_to_light(make_patches(shadowed_floor(), {.max_edge = edge}),
+                    {.mesh_error = 0.005,
+                     .usual_patches = usual_patches,
+                     .light = {.error_measure = ErrorMeasure::power}},
+                    report, context);
+    return report;
+  };
+  // Around a shadow in large patches the first levels halve the error.
+  const auto coarse = report_of(0.3f, usual);
+  EXPECT_GT(coarse.levels.back().patches, usual + usual / 2);
+  // In small ones none does.
+  const auto fine = report_of(0.1f, usual);
+  EXPECT_EQ(fine.stop, RefineStop::patch_limit);
+  const auto unlimited = report_of(0.1f, 1'000'000);
+  EXPECT_EQ(unlimited.stop, RefineStop::mesh_error_reached);
+  EXPECT_LT(fine.levels.back().patches, unlimited.levels.back().patches);
+}
+
 TEST(RefineToLight, its_progress_moves_from_the_first_light_on_and_never_back) {
   double now = 0.0, of_first_light = 0.0;
   const auto context = Context(2).with_monitor([&](const Progress& p) {

@@ -55,6 +55,36 @@ TEST(SeenError, a_dark_view_is_judged_by_a_tenth_of_the_median_of_views_at_least
   EXPECT_EQ(errors.of_view()[0], 0.0);
 }
 
+// Outer faces of a lit room, at which light leaks through a crack: more than half of what a view from outside
+// sees is black.
+constexpr std::uint32_t leak = 1, black = 2;
+const SeenLight light_of_leaky_room{{1.0f, 0.5f, 0.0f}, {1e-4f, 0.04f, 0.0f}, 0.0f};
+
+TEST(SeenError, views_in_the_dark_do_not_count) {
+  const auto views = views_of({{0}, {0}, {leak, black, black}, {leak, black, black}, {black}}, 3);
+  const SeenError error(views, light_of_leaky_room);
+  EXPECT_NEAR(error.percentile_95(), 0.01 / 1.05, 1e-6);
+  const auto attention = error.attention();
+  EXPECT_GT(attention[0].weight, 0.0);
+  EXPECT_EQ(attention[leak].weight, 0.0);
+  EXPECT_EQ(attention[black].weight, 0.0);
+}
+
+TEST(SeenError, dark_views_of_cameras_count_and_are_judged_by_the_lit_views) {
+  auto views = views_of({{0}, {leak, black, black}, {leak, black, black}, {leak, black, black}}, 3);
+  views.cameras = 1;
+  // Without it, more than half of the views would adapt to nothing.
+  const auto e = 0.2 / (0.5 + 0.05 * 0.1 * 0.5 * (1.0 + 0.0));
+  EXPECT_NEAR(SeenError(views, light_of_leaky_room).percentile_95(), e * std::sqrt(1.0 / 3.0), 2e-3);
+}
+
+TEST(SeenError, a_view_counts_whose_error_may_hide_light) {
+  const auto views = views_of({{0}, {0}, {black}}, 3);
+  auto light = light_of_leaky_room;
+  light.squared_error[black] = 1e-4f;
+  EXPECT_NEAR(SeenError(views, light).percentile_95(), 0.01 / (0.05 * 0.1), 1e-4);
+}
+
 TEST(SeenError, surfaces_out_of_focus_adapt_the_eye_and_do_not_count) {
   const auto views = views_of({{0, 1 | Views::unfocused}}, 2);
   const SeenLight light{{1.0f, 3.0f}, {0.01f, 9.0f}, 0.0f};
