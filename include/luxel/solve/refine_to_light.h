@@ -19,8 +19,8 @@ struct RefineOptions {
   /// light.error_measure.
   double mesh_error = 0.02;
   std::size_t max_patches = 1'000'000;
-  /// Above this number of patches another level follows only where the last lowered the estimated error by two
-  /// fifths, up to max_patches.
+  /// Above this number of patches another level follows only where the last lowered the estimated error by
+  /// two fifths, up to max_patches.
   std::size_t usual_patches = 1'000'000;
   int max_levels = 40;
   /// Rays of the refinement over those of a later solve to light.error, as the first level predicts them,

@@ -137,8 +137,17 @@ class Fit {
       const auto whole = glm::dot(way, way), flat = x * x + y * y;
       if (!(flat > steepest * whole)) continue;
       const auto unrolled = std::sqrt(whole / flat);
-      neighbours_.push_back({other, unrolled * x, unrolled * y, 1.0 / whole});
+      neighbours_.push_back({other, unrolled * x, unrolled * y, part_across_crease(side, other) / whole});
     }
+  }
+
+  // The narrow bevels around a flat face turn away from it, and light steps there: for the face they count by
+  // their size. On a ball, whose faces are alike, this changes nothing.
+  double part_across_crease(SideId side, SideId other) const {
+    constexpr double same_plane = 0.9998;  // cosine, 1 degree
+    const auto turn = glm::dot(patches_.normal_of(side), patches_.normal_of(other));
+    if (static_cast<double>(turn) > same_plane) return 1.0;
+    return std::min(1.0, static_cast<double>(patches_.area[other.patch()] / patches_.area[side.patch()]));
   }
 
   const PatchSet& patches_;

@@ -17,7 +17,8 @@ namespace luxel {
 // The slope is that of the plane through the side's value that comes nearest to the values of all sides it
 // shares a node with, each taken at its centroid (the mean of a linear function is its value there), by least
 // squares with weights of one over distance squared. Centroids off the plane are turned into it at their
-// distance, so that a bent sheet counts as unrolled. No slope where the neighbours stand on one line.
+// distance, so that a bent sheet counts as unrolled. Smaller sides in another plane count by their size:
+// light steps at the bevels of a flat face. No slope where the neighbours stand on one line.
 //
 // A corner is then held between the least and the greatest of those values (Barth and Jespersen 1989), and
 // exceeds them only by what the plane adds beyond all the centroids: in full where the plane explains all the

@@ -116,6 +116,25 @@ TEST(Reconstruction, a_step_makes_no_new_extremes_to_speak_of) {
   }
 }
 
+// A flat face of 12 x 11 m, and along one edge a bevel of 5 cm that turns away from it by 20 degrees to a
+// lamp.
+TEST(Reconstruction, the_light_of_a_narrow_bevel_stays_on_it) {
+  constexpr float edge = 11.0f, width = 0.05f;
+  const Lattice lattice{.place = [=](float x, float y) {
+    const auto down = width * std::max(0.0f, y - edge), turn = std::numbers::pi_v<float> / 9.0f;
+    return Vec3(x, std::min(y, edge) + std::cos(turn) * down, -std::sin(turn) * down);
+  }};
+  const auto lit = lattice.lit([=](const Vec3d& p) { return p.y > double{edge} ? 10.0 : 1.0; });
+  const auto light = make_smooth_light(lit.patches, lit.solution);
+  ASSERT_EQ(light.size(), lit.patches.vertices.size());
+  for (std::size_t s = 0; s < light.size(); ++s) {
+    const auto y = lit.patches.vertices[light.vertex[s]].y;
+    // With a slope towards the bevel it was 3.2 along the edge.
+    if (y > edge) continue;
+    EXPECT_LE(light.irradiance.front[3 * s], y < edge ? 1.0f : 1.8f);
+  }
+}
+
 TEST(Reconstruction, inside_a_surface_nothing_is_beyond_the_patches_of_two_rings) {
   const Lattice lattice{.n = 16};
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
