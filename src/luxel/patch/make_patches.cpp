@@ -219,7 +219,7 @@ void leave_whole(std::size_t count, const char* surfaces, const PatchOptions& op
                  const Context& context) {
   if (count == 0) return;
   if (options.max_contacts > 0) refuse_contacts(options.max_contacts);
-  context.warn(fmt::format("surfaces touch or pierce one another in so many places that {} {} with the "
+  context.warn(fmt::format("there are too many contacts between surfaces, so {} {} with the "
                            "densest contacts are not cut: light may leak there",
                            count, surfaces),
                {{Setting::max_contacts}});

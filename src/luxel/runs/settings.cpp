@@ -208,8 +208,7 @@ void RefineSettings::declare(OptionSet& set) {
            "refine patches until the error that their size leaves is below this, in the measure of --error; "
            "auto: 2%, with at most half as many rays as the light takes, or 20 million, and half as many "
            "patches again, or 100,000, more where that pays; none where --max-edge, --rays or --time is "
-           "given, and in the viewer; "
-           "none disables refinement",
+           "given, and in the viewer; none disables refinement",
            [this](const std::string& text) {
              const auto fraction = text == "none"   ? std::optional(0.0)
                                    : text == "auto" ? std::optional(automatic)

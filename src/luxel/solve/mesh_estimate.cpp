@@ -121,7 +121,6 @@ void MeshEstimate::predict_cut(std::span<const std::uint32_t> parent) {
     if (parts_of[p] > 1) squared[p] *= left_by_halving;
 }
 
-// The estimate is of what halving would remove; left_by_halving of the squared error would remain.
 std::vector<std::uint8_t> MeshEstimate::patches_to_cut(double aimed, double max_uncut,
                                                        std::size_t min_count) const {
   const auto& [squared, noise] = expected_;
@@ -149,6 +148,7 @@ std::vector<std::uint8_t> MeshEstimate::patches_to_cut(double aimed, double max_
   return marks;
 }
 
+// The estimate is of what halving would remove; left_by_halving of the squared error would remain.
 double MeshEstimate::error() const { return sqrt_of_sum(expected_, 1.0 - left_by_halving); }
 
 double mesh_error_of(const PatchSet& patches, const Tracer& tracer, std::array<Solution, 2> halves,

@@ -74,10 +74,6 @@ struct Level {
   std::uint64_t rays = 0;
 };
 
-std::size_t usual_patches(const RefineOptions& options) {
-  return std::min(options.usual_patches, options.max_patches);
-}
-
 class Refinement {
   using Clock = std::chrono::steady_clock;
 
@@ -88,12 +84,13 @@ class Refinement {
         context_(context),
         progress_(options.later_error, options.later_ray_budget, context) {
     options_.smooth.lights_hidden = false;  // that light is for the eye, and no answer of the solver
+    options_.usual_patches = std::min(options.usual_patches, options.max_patches);
     now_.patches = std::move(patches);
   }
 
   PatchSet go() {
     if (!look(
-            cut_large_patches(now_.patches, options_.light.error_measure, usual_patches(options_), context_)))
+            cut_large_patches(now_.patches, options_.light.error_measure, options_.usual_patches, context_)))
       return end(RefineStop::stopped_by_user);
     bound_cost();
     if (!cut_on_trial()) return end(RefineStop::stopped_by_user);
@@ -107,12 +104,12 @@ class Refinement {
       // The next level costs about as much as the last one that was cut.
       const bool is_within = is_within_cost(report_.levels.size() > 1 ? report_.levels.back().rays : 0);
       const bool pays = level == 0 || estimate_.error() <= max_left_by_level * error_before;
-      const bool is_last = !is_within || (!pays && now_.patches.size() >= usual_patches(options_));
+      const bool is_last = !is_within || (!pays && now_.patches.size() >= options_.usual_patches);
       error_before = estimate_.error();
       const auto marks = marked_by_difference(is_last);
       if (!is_worth_a_level(marks)) return end(RefineStop::drowned_in_noise);
       if (level == options_.max_levels) return end(RefineStop::level_limit);
-      auto refined = cut_marked(marks, pays || is_last ? options_.max_patches : usual_patches(options_));
+      auto refined = cut_marked(marks, pays || is_last ? options_.max_patches : options_.usual_patches);
       if (!refined) return end(RefineStop::patch_limit);
       if (is_last)
         return end_unseen(std::move(*refined), is_within ? RefineStop::patch_limit : RefineStop::cost_limit);
@@ -318,8 +315,7 @@ class Refinement {
       if (std::accumulate(squared.begin(), squared.end(), 0.0) < min_found * target) return true;
       // Each leaves half of the patches that may be added to those that follow.
       const auto size = now_.patches.size();
-      const auto limit = usual_patches(options_);
-      const auto room = limit > size ? limit - size : 0;
+      const auto room = options_.usual_patches > size ? options_.usual_patches - size : 0;
       const auto marks = larger_than(target / static_cast<double>(size), squared);
       auto refined = cut_within_limit(now_.patches, marks, squared, size + room / 2, context_);
       if (!refined || refined->patches.size() == size) return true;

@@ -40,8 +40,8 @@ double quantile(const std::vector<double>& values, std::span<const float> weight
   return order.empty() ? 0.0 : values[order.back()];
 }
 
-// What an eye adapts to that sees these radiances; they are reordered.
-double adaptation_to(std::vector<double>& radiance) {
+// The level that an eye adapts to, from the radiances in its view.
+double adaptation_to(std::vector<double> radiance) {
   const auto most = max_of_median * median(radiance);
   double sum = 0.0;
   for (const auto L : radiance) sum += std::min(L, most);
@@ -94,22 +94,8 @@ float sky_radiance(const PatchSet& patches) {
 
 SeenError::SeenError(const Views& views, const SeenLight& light)
     : views_(views), light_(light), weight_(views.weight) {
-  std::vector<double> at_most;  // [view], what the eye adapts to where light is brighter by its error
-  std::vector<double> radiance, upper;
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    radiance.clear();
-    upper.clear();
-    for (const auto code : views.seen_by(v)) {
-      const auto s = code & ~Views::unfocused;
-      radiance.push_back(static_cast<double>(code == Views::sky ? light.sky : light.radiance[s]));
-      upper.push_back(radiance.back());
-      if (code != Views::sky)
-        upper.back() += std::sqrt(std::max(0.0, static_cast<double>(light.squared_error[s])));
-    }
-    adaptation_.push_back(adaptation_to(radiance));
-    at_most.push_back(adaptation_to(upper));
-  }
-  leave_out_dark_views(at_most);
+  for (std::size_t v = 0; v < views.size(); ++v) adaptation_.push_back(adaptation_to(radiances(v, 0.0)));
+  leave_out_dark_views();
   std::vector<double> lit;
   for (std::size_t v = 0; v < views.size(); ++v)
     if (weight_[v] > 0.0f) lit.push_back(adaptation_[v]);
@@ -118,10 +104,24 @@ SeenError::SeenError(const Views& views, const SeenLight& light)
   error_ = errors(light.squared_error);
 }
 
-void SeenError::leave_out_dark_views(std::span<const double> at_most) {
+std::vector<double> SeenError::radiances(std::size_t view, double errors_added) const {
+  std::vector<double> result;
+  for (const auto code : views_.seen_by(view)) {
+    if (code == Views::sky) {
+      result.push_back(static_cast<double>(light_.sky));
+      continue;
+    }
+    const auto s = code & ~Views::unfocused;
+    const auto error = std::sqrt(std::max(0.0, static_cast<double>(light_.squared_error[s])));
+    result.push_back(static_cast<double>(light_.radiance[s]) + errors_added * error);
+  }
+  return result;
+}
+
+void SeenError::leave_out_dark_views() {
   const auto limit = dark_part * quantile(adaptation_, weight_, bright_quantile);
   for (std::size_t v = 0; v + views_.cameras < weight_.size(); ++v)
-    if (at_most[v] < limit) weight_[v] = 0.0f;
+    if (adaptation_[v] < limit && adaptation_to(radiances(v, 1.0)) < limit) weight_[v] = 0.0f;
   const auto sum = std::accumulate(weight_.begin(), weight_.end(), 0.0);
   for (auto& w : weight_) w = static_cast<float>(static_cast<double>(w) / sum);
 }

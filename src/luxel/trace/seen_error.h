@@ -64,10 +64,10 @@ struct Attention {
 // with L the radiance of the side met and s its standard error. a is the level that an eye adapts to; it
 // includes sky and lamps. The floor keeps a dark cavity with a leak from dominating the error.
 //
-// Views in the dark do not count, and are none of these views: those whose eye adapts to less than 1/10,000
-// of what nine views of ten (by weight) stay below, even if all light were brighter by its standard error.
-// They are below the floors and outside the walls of lit rooms, where light only leaks through cracks. Views
-// of cameras always count.
+// Views in the dark count neither in that median nor in percentile_95(): those whose eye adapts to less than
+// 1/10,000 of what nine views of ten (by weight) stay below, even if all light were brighter by its standard
+// error. They are below the floors and outside the walls of lit rooms, where light only leaks through cracks.
+// Views of cameras always count.
 class SeenError {
  public:
   // Keeps references. Cost: about 5 ns per direction.
@@ -90,7 +90,9 @@ class SeenError {
 
  private:
   std::vector<double> errors(std::span<const float> squared_error) const;
-  void leave_out_dark_views(std::span<const double> at_most);
+  // Of the directions of a view, with errors_added standard errors added to each.
+  std::vector<double> radiances(std::size_t view, double errors_added) const;
+  void leave_out_dark_views();
 
   const Views& views_;
   const SeenLight& light_;

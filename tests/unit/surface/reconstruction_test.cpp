@@ -129,8 +129,8 @@ TEST(Reconstruction, the_light_of_a_narrow_bevel_stays_on_it) {
   ASSERT_EQ(light.size(), lit.patches.vertices.size());
   for (std::size_t s = 0; s < light.size(); ++s) {
     const auto y = lit.patches.vertices[light.vertex[s]].y;
-    // With a slope towards the bevel it was 3.2 along the edge.
     if (y > edge) continue;
+    // With a slope towards the bevel it was 3.2 along the edge.
     EXPECT_LE(light.irradiance.front[3 * s], y < edge ? 1.0f : 1.8f);
   }
 }
